@@ -1,0 +1,135 @@
+//! How the picture is made: shading, layers, glow, exposure.
+
+use serde::{Deserialize, Serialize};
+
+/// What a flame's pixels are made from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Shading {
+    /// A texture on the surface, layers added (paper 003, section 5).
+    Shell,
+    /// Emission along the part of the ray inside each flame.
+    #[default]
+    Volume,
+}
+
+/// How overlapping flame surfaces are gathered.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Transparency {
+    /// Exact depth peeling: the nearest `layers` surfaces of every pixel, in order.
+    #[default]
+    Peeled,
+    /// One additive pass in any order: all surfaces, `shell` shading only.
+    Unsorted,
+}
+
+/// The curve from scene light to display light.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ToneMap {
+    /// Rolls off brightness while keeping the hue of flames.
+    #[default]
+    Filmic,
+    /// Clips at one.
+    None,
+}
+
+/// Which target the picture shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum DebugView {
+    /// The finished picture.
+    #[default]
+    Final,
+    /// One peeled layer (0 is the nearest), as height and facing.
+    Layer(u32),
+    /// How many surfaces lie behind each pixel.
+    LayerCount,
+    /// The flames before any blur.
+    Flames,
+    /// One blurred image (index into [`Look::glow`]).
+    Glow(u32),
+    /// The opaque scene without flames.
+    Opaque,
+}
+
+/// The Gaussian of one blurred copy of the flames.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Blur {
+    /// Standard deviation as a fraction of the picture's height: the same look at every size.
+    Height(f32),
+    /// Standard deviation in pixels of the blurred image.
+    Pixels(f32),
+    /// Seven taps of `exp(-x^2 / 1.5^2)`, normalised: what paper 003's authors run.
+    Published,
+}
+
+/// One blurred copy of the flames, added to the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct GlowLevel {
+    /// Size of the blurred image: 1 full, 4 a quarter, 16 a sixteenth of the picture's width and height.
+    pub divisor: u32,
+    /// The Gaussian.
+    pub blur: Blur,
+    /// Share of the light that goes into this image; gains that add to 1 keep the energy.
+    pub gain: f32,
+}
+
+/// How the picture is made.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Look {
+    /// `shell` or `volume`.
+    pub shading: Shading,
+    /// `peeled` or `unsorted`.
+    pub transparency: Transparency,
+    /// Number of depth layers peeled, 1 to 32. More layers show more overlapping flames and cost a pass each.
+    pub layers: u32,
+    /// The blurred copies; at most four. The sharp flames are not shown themselves (paper 003, section 5.2).
+    pub glow: Vec<GlowLevel>,
+    /// Exposure in stops: +1 doubles the brightness.
+    pub exposure_stops: f32,
+    /// The colour temperature that appears white, K.
+    pub white_k: f32,
+    /// Artistic gain of the light that flames throw on the scene; 1 is physical.
+    pub light_gain: f32,
+    /// Light that falls on the scene from everywhere, linear.
+    pub ambient: [f32; 3],
+    /// Colour behind everything, linear.
+    pub background: [f32; 3],
+    /// The curve from scene light to display light.
+    pub tone_map: ToneMap,
+    /// Samples per pixel on opaque edges, 1 or 4.
+    pub samples: u32,
+    /// Steps of the integration inside each interval in `volume` shading, 2 to 32.
+    pub volume_steps: u32,
+    /// Which target is shown.
+    pub debug: DebugView,
+}
+
+impl Default for Look {
+    fn default() -> Self {
+        Self {
+            shading: Shading::Volume,
+            transparency: Transparency::Peeled,
+            layers: 8,
+            glow: vec![
+                GlowLevel { divisor: 1, blur: Blur::Height(1.2 / 720.0), gain: 0.80 },
+                GlowLevel { divisor: 4, blur: Blur::Height(0.017), gain: 0.13 },
+                GlowLevel { divisor: 16, blur: Blur::Height(0.075), gain: 0.07 },
+            ],
+            exposure_stops: 4.0,
+            white_k: 3200.0,
+            light_gain: 1.0,
+            ambient: [0.0; 3],
+            background: [0.0; 3],
+            tone_map: ToneMap::Filmic,
+            samples: 4,
+            volume_steps: 8,
+            debug: DebugView::Final,
+        }
+    }
+}
