@@ -1,0 +1,175 @@
+//! The scene as it stands in a file.
+
+use lucerna_flame::{Fuel, Skeletons, SurfaceGrid};
+use lucerna_frame::{Camera, FlameShade, Look};
+use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
+
+/// A scene: wicks, what burns on them, the air, the opaque things around, the camera and the look.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Scene {
+    /// Shown in the window and in reports.
+    pub name: String,
+    /// Everything random is drawn from it.
+    #[serde(default)]
+    pub seed: u64,
+    /// The camera.
+    #[serde(default)]
+    pub camera: Camera,
+    /// How the picture is made.
+    #[serde(default)]
+    pub look: Look,
+    /// The air.
+    pub air: Air,
+    /// The fires; each is a group of wicks that burn alike.
+    pub fires: Vec<Fire>,
+    /// Opaque things.
+    #[serde(default)]
+    pub meshes: Vec<MeshSource>,
+}
+
+/// Which sides of the air's box are closed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum AirSides {
+    /// A floor below, open on all other sides.
+    #[default]
+    Floor,
+    /// Open everywhere.
+    Open,
+    /// Closed everywhere (what the authors of paper 003 run).
+    Closed,
+}
+
+/// How the pressure is solved.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Pressure {
+    /// Exactly, by transforms.
+    #[default]
+    Direct,
+    /// The given number of Gauss-Seidel sweeps (paper 003).
+    GaussSeidel(u32),
+}
+
+/// The air around the fires.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Air {
+    /// Lowest corner of the box, m.
+    pub origin_m: [f32; 3],
+    /// Size of the box, m.
+    pub size_m: [f32; 3],
+    /// Cells along x, y and z, 2 to 256 each.
+    pub cells: [u32; 3],
+    /// Fixed time step, s.
+    #[serde(default = "Air::default_time_step_s")]
+    pub time_step_s: f32,
+    /// Kinematic viscosity, m^2/s.
+    #[serde(default)]
+    pub viscosity_m2_s: f32,
+    /// Vorticity confinement, 0 for none.
+    #[serde(default)]
+    pub vorticity_confinement: f32,
+    /// How the pressure is solved.
+    #[serde(default)]
+    pub pressure: Pressure,
+    /// Which sides are closed.
+    #[serde(default)]
+    pub sides: AirSides,
+    /// Temperature of the air, K.
+    #[serde(default = "Air::default_ambient_k")]
+    pub ambient_k: f32,
+    /// Rate at which hot air cools, 1/s.
+    #[serde(default)]
+    pub cooling_per_s: f32,
+    /// Upward acceleration of row j is this times n_y / j, m/s^2 (the authors' buoyancy), 0 for none.
+    #[serde(default)]
+    pub row_buoyancy_m_s2: f32,
+    /// Wind through the open sides, m/s.
+    #[serde(default)]
+    pub wind_m_s: [f32; 3],
+}
+
+impl Air {
+    fn default_time_step_s() -> f32 {
+        1.0 / 60.0
+    }
+    fn default_ambient_k() -> f32 {
+        293.0
+    }
+}
+
+/// Wicks that burn alike.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Fire {
+    /// The wicks; each carries one flame.
+    pub wicks: Vec<WickSource>,
+    /// What burns.
+    #[serde(default)]
+    pub fuel: Fuel,
+    /// The particle chains.
+    #[serde(default)]
+    pub skeletons: Skeletons,
+    /// The surface.
+    #[serde(default)]
+    pub surface: SurfaceGrid,
+    /// How it glows.
+    #[serde(default)]
+    pub shade: FlameShade,
+}
+
+/// Where a wick comes from.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum WickSource {
+    /// A centreline through points, with a radius, in metres.
+    Polyline {
+        /// World positions, m; one point is a candle's wick.
+        points: Vec<[f32; 3]>,
+        /// Radius, m.
+        radius_m: f32,
+    },
+    /// A mesh file (OBJ, glTF, GLB), relative to the scene file.
+    Mesh {
+        /// The file.
+        file: PathBuf,
+        /// Where its origin goes, m.
+        #[serde(default)]
+        position_m: [f32; 3],
+        /// Its scale.
+        #[serde(default = "one")]
+        scale: f32,
+    },
+}
+
+/// An opaque thing from a file.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MeshSource {
+    /// A mesh file (OBJ with MTL, glTF, GLB), relative to the scene file.
+    pub file: PathBuf,
+    /// Where its origin goes, m.
+    #[serde(default)]
+    pub position_m: [f32; 3],
+    /// Its scale.
+    #[serde(default = "one")]
+    pub scale: f32,
+}
+
+fn one() -> f32 {
+    1.0
+}
+
+/// A scene with its files read: what a world is made from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadedScene {
+    /// The scene as it stands in the file.
+    pub scene: Scene,
+    /// The shape of every wick of every fire, in order (outer: fires, inner: wicks).
+    pub wicks: Vec<Vec<lucerna_flame::WickShape>>,
+    /// The opaque meshes in world space.
+    pub meshes: Vec<lucerna_frame::OpaqueMesh>,
+}
