@@ -7,11 +7,13 @@
 //! the coordinate system is right-handed.
 
 mod camera;
+mod color;
 mod flame;
 mod look;
 mod scene;
 
 pub use camera::Camera;
+pub use color::{adaptation, blackbody_chromaticity, blackbody_rgb};
 pub use flame::{FlameDraw, FlameShade, FlameVertex};
 pub use look::{Blur, DebugView, GlowLevel, Look, Shading, ToneMap, Transparency};
 pub use scene::{Light, LineVertex, MeshVertex, OpaqueMesh};

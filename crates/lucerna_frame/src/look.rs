@@ -106,6 +106,8 @@ pub struct Look {
     pub samples: u32,
     /// Steps of the integration inside each interval in `volume` shading, 2 to 32.
     pub volume_steps: u32,
+    /// How far `shell` surfaces fade where they turn away from the eye, 0 (paper 003) to 1.
+    pub shell_softness: f32,
     /// Which target is shown.
     pub debug: DebugView,
 }
@@ -129,6 +131,7 @@ impl Default for Look {
             tone_map: ToneMap::Filmic,
             samples: 4,
             volume_steps: 8,
+            shell_softness: 0.8,
             debug: DebugView::Final,
         }
     }
