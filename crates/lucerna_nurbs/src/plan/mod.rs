@@ -1,0 +1,197 @@
+//! Uniform grids: tables and topology made once, evaluated for any number of nets.
+
+mod axis;
+mod evaluate;
+mod kernels;
+mod limit;
+mod topology;
+
+pub use evaluate::{GridVertex, Scratch};
+
+use crate::{KnotVector, NurbsError, Real};
+use axis::Axis;
+
+/// How a direction of the grid ends.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Closure {
+    /// From one end of the domain to the other.
+    #[default]
+    Open,
+    /// The two ends of the domain are the same points of the surface, as with a circle of rational
+    /// arcs: the last sample is a copy of the first.
+    Joined,
+    /// The knots are periodic and the first `degree` control points repeat behind the last, as
+    /// [`KnotVector::periodic`] and [`Surface::closed_u`](crate::Surface::closed_u) have it.
+    ///
+    /// The samples start, and end, at the Greville abscissa of control row `start_row`, one period
+    /// apart. On evenly spaced knots, samples at equal distances before and behind that row are
+    /// exact mirror images: where the control points mirror each other bit for bit, so do the
+    /// samples, and an edge that runs forth and back along a slit closes without a crack.
+    Periodic {
+        /// The control row at which the samples start, below the number of distinct rows.
+        start_row: usize,
+    },
+}
+
+/// The size and shape of a grid.
+///
+/// The default is 48 x 48 cells, open in both directions, without poles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct GridOptions {
+    /// Cells along u, at least 1, or 3 when u is closed; at most 8192.
+    pub columns: usize,
+    /// Cells along v, at least 1, 2 with two poles, 3 when v is closed; at most 8192.
+    pub rows: usize,
+    /// How u ends.
+    pub closure_u: Closure,
+    /// How v ends.
+    pub closure_v: Closure,
+    /// The edge at the lower end of v is a single point: it gets one vertex per column, in the
+    /// middle of the column, all at the same place, and one triangle per column.
+    pub pole_v_min: bool,
+    /// The same for the upper end of v.
+    pub pole_v_max: bool,
+    /// Turns triangles and normals over, for nets that run the other way round; see
+    /// [`GridPlan`] for the rule.
+    pub flip: bool,
+}
+
+impl Default for GridOptions {
+    fn default() -> Self {
+        Self {
+            columns: 48,
+            rows: 48,
+            closure_u: Closure::Open,
+            closure_v: Closure::Open,
+            pole_v_min: false,
+            pole_v_max: false,
+            flip: false,
+        }
+    }
+}
+
+/// Spans, basis values, derivatives and triangles of a uniform grid.
+///
+/// A plan knows knots and grid, but no control points: one plan serves all nets of a size, from any
+/// number of threads, each with its own [`Scratch`].
+///
+/// Vertices are numbered row by row, v rising, u rising within a row; a row has `columns + 1`
+/// vertices (a closed direction repeats its first, so that texture coordinates run from 0 to 1),
+/// a pole has `columns`.
+///
+/// Orientation: normals point along dS/du x dS/dv, and triangles run counter-clockwise seen from
+/// where normals point. They point outwards when the rows of the net run counter-clockwise around
+/// it for an eye that looks from the upper end of v towards the lower; otherwise set
+/// [`GridOptions::flip`].
+///
+/// ```
+/// use lucerna_nurbs::{GridOptions, GridPlan, KnotVector};
+///
+/// let knots = KnotVector::<f64>::clamped_uniform(1, 2)?;
+/// let plan = GridPlan::new(&knots, &knots, GridOptions { columns: 1, rows: 1, ..Default::default() })?;
+/// let net = [[0., 0., 0.], [0., 1., 0.], [1., 0., 0.], [1., 1., 0.]];
+/// let mut corners = Vec::new();
+/// plan.evaluate(&net, None, &mut plan.scratch(), |_, vertex| corners.push(vertex.position))?;
+/// assert_eq!(corners[1], [1.0, 0.0, 0.0]);
+/// assert_eq!(plan.indices(), [0, 1, 3, 0, 3, 2]);
+/// # Ok::<(), lucerna_nurbs::NurbsError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct GridPlan<T> {
+    options: GridOptions,
+    u: Axis<T>,
+    v: Axis<T>,
+    /// The middles of the columns, when there is a pole.
+    middle: Option<Axis<T>>,
+    indices: Vec<u32>,
+}
+
+impl<T: Real> GridPlan<T> {
+    /// The most cells in one direction.
+    pub const MAX_CELLS: usize = 8192;
+    /// The most vertices.
+    pub const MAX_VERTICES: usize = 1 << 24;
+
+    /// Makes tables and triangles for surfaces with these knots.
+    ///
+    /// # Errors
+    /// When the grid is too small or too large, a periodic closure is asked for on knots that do
+    /// not repeat, its start row does not exist, or poles are declared where v is closed.
+    pub fn new(knots_u: &KnotVector<T>, knots_v: &KnotVector<T>, options: GridOptions) -> Result<Self, NurbsError> {
+        let pole = options.pole_v_min || options.pole_v_max;
+        if pole && options.closure_v != Closure::Open {
+            return Err(NurbsError::PoleOnClosed);
+        }
+        let least = |closure| if closure == Closure::Open { 1 } else { 3 };
+        let poles = usize::from(options.pole_v_min) + usize::from(options.pole_v_max);
+        let max = Self::MAX_CELLS;
+        let cells = |name, found, min| {
+            if (min..=max).contains(&found) {
+                return Ok(());
+            }
+            Err(NurbsError::Cells { name, found, min, max })
+        };
+        cells("columns", options.columns, least(options.closure_u))?;
+        cells("rows", options.rows, least(options.closure_v).max(poles))?;
+        let at_most = |name, found, max| {
+            if found <= max {
+                return Ok(());
+            }
+            Err(NurbsError::Cells { name, found, min: 1, max })
+        };
+        let side = options.columns + 1;
+        at_most("vertices", side * (options.rows + 1), Self::MAX_VERTICES)?;
+        at_most("control points along v times columns", side * knots_v.count(), Self::MAX_VERTICES)?;
+
+        let middle = if pole { Some(Axis::middles(knots_u, options.columns, options.closure_u)?) } else { None };
+        Ok(Self {
+            u: Axis::corners(knots_u, options.columns, options.closure_u)?,
+            v: Axis::corners(knots_v, options.rows, options.closure_v)?,
+            middle,
+            indices: topology::triangles(&options),
+            options,
+        })
+    }
+
+    /// What the plan was made from.
+    pub fn options(&self) -> &GridOptions {
+        &self.options
+    }
+
+    /// The number of vertices a mesh has.
+    pub fn vertex_count(&self) -> usize {
+        topology::vertex_count(&self.options)
+    }
+
+    /// Three vertex indices for each triangle.
+    pub fn indices(&self) -> &[u32] {
+        &self.indices
+    }
+
+    /// The number of control points [`evaluate`](Self::evaluate) reads. Points repeated to close a
+    /// periodic direction are not counted.
+    pub fn point_count(&self) -> usize {
+        self.u.points * self.v.points
+    }
+}
+
+/// The number of grid cells, around or along a rounded shape of extent `size`, that keeps the
+/// distance between mesh and surface near `tolerance`: `3 sqrt(size / tolerance)`, rounded up.
+///
+/// Both are in the same unit, for instance pixels. The result is 3 to 8192.
+///
+/// ```
+/// assert_eq!(lucerna_nurbs::cells_for_error(100.0, 1.0), Ok(30));
+/// ```
+///
+/// # Errors
+/// When `size` or `tolerance` is not positive and finite.
+pub fn cells_for_error(size: f64, tolerance: f64) -> Result<usize, NurbsError> {
+    for (name, value) in [("size", size), ("tolerance", tolerance)] {
+        if !(value > 0.0 && value.is_finite()) {
+            return Err(NurbsError::NotPositive { name, value });
+        }
+    }
+    Ok((3.0 * (size / tolerance).sqrt()).ceil().clamp(3.0, 8192.0) as usize)
+}
