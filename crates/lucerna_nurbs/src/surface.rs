@@ -1,6 +1,6 @@
 //! Rational B-spline surfaces.
 
-use crate::vector::{add_scaled, largest, sub, unit_cross};
+use crate::vector::{add_scaled, largest, unit_cross};
 use crate::{KnotVector, NurbsError, Real, basis, check};
 
 /// A tensor product surface in space: two knot vectors, a net of control points and, when it is
@@ -24,6 +24,8 @@ pub struct Surface<T> {
     knots_v: KnotVector<T>,
     points: Vec<[T; 3]>,
     weights: Option<Vec<T>>,
+    /// The largest coordinate of a control point, by magnitude.
+    extent: T,
 }
 
 /// The derivatives of a surface at one parameter pair, from [`Surface::derivatives`].
@@ -60,7 +62,8 @@ impl<T: Real> Surface<T> {
         if let Some(weights) = &weights {
             check::weights(weights, points.len())?;
         }
-        Ok(Self { knots_u, knots_v, points, weights })
+        let extent = points.iter().fold(T::ZERO, |extent, &point| extent.max(largest(point)));
+        Ok(Self { knots_u, knots_v, points, weights, extent })
     }
 
     /// A surface closed smoothly in u: periodic uniform knots of degree `degree_u`, the first
@@ -160,29 +163,34 @@ impl<T: Real> Surface<T> {
     pub fn normal(&self, u: T, v: T) -> Result<[T; 3], NurbsError> {
         let d = self.derivatives(u, v, 2)?;
         let (su, sv, suv) = (d.at(1, 0), d.at(0, 1), d.at(1, 1));
-        let flat_u = self.is_rounding(su, &self.knots_u);
-        let flat_v = self.is_rounding(sv, &self.knots_v);
+        let (rate_u, rate_v) = (rate(&self.knots_u), rate(&self.knots_v));
+        let flat_u = self.is_rounding(su, rate_u);
+        let flat_v = self.is_rounding(sv, rate_v);
+        let twisted = !self.is_rounding(suv, rate_u * rate_v);
         let (u_lo, u_hi) = self.knots_u.domain();
         let (v_lo, v_hi) = self.knots_v.domain();
         let normal = match (flat_u, flat_v) {
             (false, false) => unit_cross(su, sv),
-            (true, false) if v == v_lo => unit_cross(suv, sv),
-            (true, false) if v == v_hi => unit_cross(sv, suv),
-            (false, true) if u == u_lo => unit_cross(su, suv),
-            (false, true) if u == u_hi => unit_cross(suv, su),
+            (true, false) if v == v_lo && twisted => unit_cross(suv, sv),
+            (true, false) if v == v_hi && twisted => unit_cross(sv, suv),
+            (false, true) if u == u_lo && twisted => unit_cross(su, suv),
+            (false, true) if u == u_hi && twisted => unit_cross(suv, su),
             _ => None,
         };
         normal.ok_or(NurbsError::NoNormal { u: u.to_f64(), v: v.to_f64() })
     }
 
-    /// Whether a first derivative is nothing but rounding, measured by the size of the net.
-    fn is_rounding(&self, derivative: [T; 3], knots: &KnotVector<T>) -> bool {
-        let origin = self.points[0];
-        let size = self.points.iter().fold(largest(origin), |size, &point| size.max(largest(sub(point, origin))));
-        let (lo, hi) = knots.domain();
-        let rate = T::from_usize(knots.degree() * knots.count()) / (hi - lo);
-        largest(derivative) <= T::from_f64(16.0) * T::EPSILON * size * rate
+    /// Whether a derivative is nothing but rounding, measured by the extent of the net and the rate
+    /// at which basis functions change.
+    fn is_rounding(&self, derivative: [T; 3], rate: T) -> bool {
+        largest(derivative) <= T::from_f64(16.0) * T::EPSILON * self.extent * rate
     }
+}
+
+/// A bound, generous on even knots, of the slopes of basis functions.
+fn rate<T: Real>(knots: &KnotVector<T>) -> T {
+    let (lo, hi) = knots.domain();
+    T::from_usize(knots.degree() * knots.count()) / (hi - lo)
 }
 
 /// A4.4: derivatives of the quotient `a / w`, in place.

@@ -1,6 +1,6 @@
 //! Rational shapes with known equations: sphere, torus, quarter cylinder.
 
-use lucerna_nurbs::{Curve, KnotVector, Surface};
+use lucerna_nurbs::{Closure, Curve, GridOptions, GridPlan, GridVertex, KnotVector, Surface};
 use std::f64::consts::FRAC_1_SQRT_2 as H;
 
 /// A full circle in nine points, homogeneous: x, y, weight.
@@ -185,4 +185,51 @@ fn a_circle_keeps_its_curvature() {
             assert!((d[2][k] - c2[k]).abs() < 1e-10);
         }
     }
+}
+
+/// The vertices of a surface, and the volume its triangles enclose.
+fn mesh(surface: &Surface<f64>, options: GridOptions) -> (Vec<GridVertex<f64>>, f64) {
+    let plan = GridPlan::new(surface.knots_u(), surface.knots_v(), options).unwrap();
+    let mut mesh = Vec::new();
+    let emit = |_, vertex| mesh.push(vertex);
+    plan.evaluate(surface.points(), surface.weights(), &mut plan.scratch(), emit).unwrap();
+    let volume = plan.indices().chunks_exact(3).map(|triangle| {
+        let [a, b, c] = [0, 1, 2].map(|k| mesh[triangle[k] as usize].position);
+        a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+    });
+    let volume = volume.sum::<f64>() / 6.0;
+    (mesh, volume)
+}
+
+#[test]
+fn the_mesh_of_a_sphere_has_radial_normals_at_declared_and_undeclared_poles() {
+    for poles in [false, true] {
+        let options =
+            GridOptions { closure_u: Closure::Joined, pole_v_min: poles, pole_v_max: poles, ..GridOptions::default() };
+        let (mesh, volume) = mesh(&sphere(), options);
+        for vertex in &mesh {
+            close(vertex.normal, vertex.position, 1e-9);
+        }
+        assert!((volume / (4.0 / 3.0 * std::f64::consts::PI) - 1.0).abs() < 0.01, "{volume}");
+    }
+}
+
+#[test]
+fn the_mesh_of_a_torus_closes_bit_for_bit_both_ways() {
+    let options = GridOptions {
+        columns: 60,
+        rows: 40,
+        closure_u: Closure::Joined,
+        closure_v: Closure::Joined,
+        ..GridOptions::default()
+    };
+    let (mesh, volume) = mesh(&torus(), options);
+    let same = |a: usize, b: usize| {
+        assert_eq!(mesh[a].position, mesh[b].position);
+        assert_eq!(mesh[a].normal, mesh[b].normal);
+    };
+    (0..=40).for_each(|j| same(j * 61, j * 61 + 60));
+    (0..=60).for_each(|i| same(i, 40 * 61 + i));
+    let exact = 2.0 * std::f64::consts::PI.powi(2) * 3.0;
+    assert!((volume / exact - 1.0).abs() < 0.02, "{volume} against {exact}");
 }

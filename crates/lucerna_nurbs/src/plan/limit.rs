@@ -32,12 +32,13 @@ impl<T: Real> GridPlan<T> {
 
         let flat_u = largest(jet.su) <= flat();
         let flat_v = largest(jet.sv) <= flat();
+        let twisted = largest(jet.suv) > flat();
         let normal = match (flat_u, flat_v) {
             (false, false) => unit_cross(jet.su, jet.sv),
-            (true, false) if first => unit_cross(jet.suv, jet.sv),
-            (true, false) if last => unit_cross(jet.sv, jet.suv),
-            (false, true) if left => unit_cross(jet.su, jet.suv),
-            (false, true) if right => unit_cross(jet.suv, jet.su),
+            (true, false) if first && twisted => unit_cross(jet.suv, jet.sv),
+            (true, false) if last && twisted => unit_cross(jet.sv, jet.suv),
+            (false, true) if left && twisted => unit_cross(jet.su, jet.suv),
+            (false, true) if right && twisted => unit_cross(jet.suv, jet.su),
             _ => None,
         };
         let turn = |normal| if self.options.flip { scale(normal, -T::ONE) } else { normal };
