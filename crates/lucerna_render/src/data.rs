@@ -1,0 +1,127 @@
+//! What goes to the GPU, laid out as the shaders read it.
+
+use bytemuck::{Pod, Zeroable};
+use glam::{Mat4, Vec3};
+use lucerna_frame::{Camera, FlameShade, Frame, Light, Look, Shading, ToneMap, adaptation, blackbody_rgb};
+
+/// Most layers that can be peeled.
+pub(crate) const MAX_LAYERS: u32 = 32;
+/// Most blurred copies.
+pub(crate) const MAX_GLOW: usize = 4;
+/// Taps of a blur on each side of the centre, the centre included.
+pub(crate) const MAX_TAPS: usize = 64;
+
+/// `View` in `common.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub(crate) struct View {
+    clip_from_world: [[f32; 4]; 4],
+    world_from_clip: [[f32; 4]; 4],
+    adapt: [[f32; 4]; 3],
+    eye_time: [f32; 4],
+    forward_near: [f32; 4],
+    ambient_gain: [f32; 4],
+    background_exposure: [f32; 4],
+    size_layers_lights: [u32; 4],
+    modes: [u32; 4],
+    extra: [f32; 4],
+}
+
+/// Light of a shell texel at full brightness, as displayed: shells are painted for the display.
+const SHELL_GAIN: f32 = 0.9;
+
+impl View {
+    pub(crate) fn new(size: [u32; 2], frame: &Frame<'_>, camera: &Camera, look: &Look, encode: bool) -> Self {
+        let clip_from_world = clip_from_world(size, camera);
+        let adapt = adaptation(look.white_k);
+        let exposure = look.exposure_stops.exp2();
+        let forward = (Vec3::from(camera.target) - Vec3::from(camera.eye)).normalize_or(Vec3::NEG_Z);
+        let volume = look.shading == Shading::Volume;
+        Self {
+            clip_from_world: clip_from_world.to_cols_array_2d(),
+            world_from_clip: clip_from_world.inverse().to_cols_array_2d(),
+            adapt: [adapt.x_axis, adapt.y_axis, adapt.z_axis].map(|c| c.extend(0.0).to_array()),
+            eye_time: Vec3::from(camera.eye).extend(frame.time_s).to_array(),
+            forward_near: forward.extend(camera.near_m).to_array(),
+            ambient_gain: Vec3::from(look.ambient).extend(look.light_gain).to_array(),
+            background_exposure: Vec3::from(look.background).extend(exposure).to_array(),
+            size_layers_lights: [size[0], size[1], look.layers, frame.lights.len() as u32],
+            modes: [
+                u32::from(volume),
+                look.volume_steps,
+                u32::from(encode),
+                u32::from(look.tone_map == ToneMap::Filmic),
+            ],
+            extra: [look.shell_softness, if volume { 1.0 } else { SHELL_GAIN / exposure }, 0.0, 0.0],
+        }
+    }
+}
+
+pub(crate) fn clip_from_world(size: [u32; 2], camera: &Camera) -> Mat4 {
+    camera.clip_from_view(size[0] as f32 / size[1] as f32) * camera.view_from_world()
+}
+
+/// `Flame` in `common.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub(crate) struct FlameData {
+    shade: FlameShade,
+    hot: [f32; 4],
+    cool: [f32; 4],
+    blue: [f32; 4],
+}
+
+/// How much cooler than its core the thin edge of a flame looks, K.
+const EDGE_COOLING_K: f32 = 300.0;
+/// Emission of CH and C2 radicals as seen by a camera, linear sRGB.
+const BLUE_RGB: [f32; 3] = [0.10, 0.27, 1.0];
+
+impl FlameData {
+    pub(crate) fn new(shade: &FlameShade) -> Self {
+        let hot = blackbody_rgb(shade.temperature_k);
+        // Cooler in hue only: the edge is thin, and its optical depth already makes it dim.
+        let cool = blackbody_rgb(shade.temperature_k - EDGE_COOLING_K);
+        let luminance = |c: Vec3| c.dot(Vec3::new(0.2126, 0.7152, 0.0722)).max(1e-9);
+        let cool = cool * (luminance(hot) / luminance(cool));
+        Self {
+            shade: *shade,
+            hot: hot.extend(0.0).to_array(),
+            cool: cool.extend(0.0).to_array(),
+            blue: Vec3::from(BLUE_RGB).extend(0.0).to_array(),
+        }
+    }
+}
+
+/// `Light` in `common.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub(crate) struct LightData {
+    position_radius: [f32; 4],
+    intensity: [f32; 4],
+}
+
+impl LightData {
+    pub(crate) fn new(light: &Light, look: &Look) -> Self {
+        let seen = (adaptation(look.white_k) * Vec3::from(light.intensity)).max(Vec3::ZERO);
+        Self {
+            position_radius: Vec3::from(light.position).extend(light.radius_m).to_array(),
+            intensity: seen.extend(0.0).to_array(),
+        }
+    }
+}
+
+/// `Kernel` in `blur.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub(crate) struct Kernel {
+    pub(crate) direction_radius: [i32; 4],
+    pub(crate) weights: [f32; MAX_TAPS],
+}
+
+/// `Compose` in `compose.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub(crate) struct ComposeData {
+    pub(crate) gains: [f32; MAX_GLOW],
+    pub(crate) debug: [u32; 4],
+}

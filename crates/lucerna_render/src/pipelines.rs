@@ -1,0 +1,312 @@
+//! All pipelines and bind group layouts, made once.
+
+use crate::data::View;
+use lucerna_shaders as wgsl;
+use std::num::NonZeroU64;
+use wgpu::{
+    BindGroupLayout, BindingType, ColorTargetState, CompareFunction, DepthStencilState, Device, PrimitiveTopology,
+    RenderPipeline, SamplerBindingType, ShaderStages, TextureFormat, TextureSampleType, TextureViewDimension,
+    VertexBufferLayout, VertexStepMode,
+};
+
+/// Scene-referred colour.
+pub(crate) const HDR: TextureFormat = TextureFormat::Rgba16Float;
+/// Depth of the scene and of the layers: bit-exact between passes.
+pub(crate) const DEPTH: TextureFormat = TextureFormat::Depth32Float;
+/// What a layer remembers of its surface (see `surface.wgsl`).
+pub(crate) const LAYER: TextureFormat = TextureFormat::Rg32Uint;
+/// Number of surfaces behind a pixel; counts to 2048 are exact.
+pub(crate) const COUNT: TextureFormat = TextureFormat::R16Float;
+
+/// The layouts of all bind groups.
+#[derive(Debug)]
+pub(crate) struct Layouts {
+    pub(crate) common: BindGroupLayout,
+    pub(crate) peel: BindGroupLayout,
+    pub(crate) shell: BindGroupLayout,
+    pub(crate) texture: BindGroupLayout,
+    pub(crate) volume: BindGroupLayout,
+    pub(crate) blur: BindGroupLayout,
+    pub(crate) compose: BindGroupLayout,
+}
+
+impl Layouts {
+    fn new(device: &Device) -> Self {
+        let make = |label, types: &[BindingType]| {
+            let entries: Vec<_> = types
+                .iter()
+                .enumerate()
+                .map(|(binding, ty)| wgpu::BindGroupLayoutEntry {
+                    binding: binding as u32,
+                    // Only the view is read in vertex shaders.
+                    visibility: if matches!(ty, BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, .. }) {
+                        ShaderStages::VERTEX_FRAGMENT
+                    } else {
+                        ShaderStages::FRAGMENT
+                    },
+                    ty: *ty,
+                    count: None,
+                })
+                .collect();
+            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
+        };
+        let uniform = |size: usize| BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset: false,
+            min_binding_size: NonZeroU64::new(size as u64),
+        };
+        let storage = |read_only| BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Storage { read_only },
+            has_dynamic_offset: false,
+            min_binding_size: None,
+        };
+        let texture = |filterable, view_dimension| BindingType::Texture {
+            sample_type: TextureSampleType::Float { filterable },
+            view_dimension,
+            multisampled: false,
+        };
+        let surfaces = BindingType::Texture {
+            sample_type: TextureSampleType::Uint,
+            view_dimension: TextureViewDimension::D2Array,
+            multisampled: false,
+        };
+        let sampler = BindingType::Sampler(SamplerBindingType::Filtering);
+        let (plain, smooth) = (texture(false, TextureViewDimension::D2), texture(true, TextureViewDimension::D2));
+        Self {
+            common: make("common", &[uniform(size_of::<View>()), storage(true), storage(true)]),
+            peel: make("peel", &[plain, plain]),
+            shell: make("shell", &[surfaces]),
+            texture: make("flame texture", &[smooth, sampler]),
+            volume: make(
+                "volume",
+                &[
+                    surfaces,
+                    texture(false, TextureViewDimension::D2Array),
+                    plain,
+                    texture(true, TextureViewDimension::D3),
+                    sampler,
+                    storage(false),
+                ],
+            ),
+            blur: make("blur", &[uniform(size_of::<crate::data::Kernel>()), plain]),
+            compose: make(
+                "compose",
+                &[
+                    uniform(size_of::<crate::data::ComposeData>()),
+                    plain,
+                    plain,
+                    smooth,
+                    smooth,
+                    smooth,
+                    smooth,
+                    surfaces,
+                    plain,
+                    sampler,
+                ],
+            ),
+        }
+    }
+}
+
+/// All pipelines.
+#[derive(Debug)]
+pub(crate) struct Pipelines {
+    pub(crate) layouts: Layouts,
+    /// The opaque scene with one and with four samples.
+    pub(crate) opaque: [RenderPipeline; 2],
+    pub(crate) depth: RenderPipeline,
+    pub(crate) peel_first: RenderPipeline,
+    pub(crate) peel_next: RenderPipeline,
+    pub(crate) count: RenderPipeline,
+    pub(crate) shell: RenderPipeline,
+    pub(crate) unsorted: RenderPipeline,
+    pub(crate) volume: RenderPipeline,
+    pub(crate) blur: RenderPipeline,
+    pub(crate) shrink: RenderPipeline,
+    /// Onto a fresh target, and over what is there.
+    pub(crate) compose: [RenderPipeline; 2],
+    pub(crate) lines: RenderPipeline,
+}
+
+const MESH_ATTRIBUTES: [wgpu::VertexAttribute; 4] =
+    wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x3];
+const FLAME_ATTRIBUTES: [wgpu::VertexAttribute; 6] = wgpu::vertex_attr_array![
+    0 => Float32x3, 1 => Float32, 2 => Float32x3, 3 => Float32, 4 => Float32x2, 5 => Uint32
+];
+const LINE_ATTRIBUTES: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
+
+/// What differs between the pipelines.
+struct Recipe<'a> {
+    label: &'a str,
+    source: &'a wgpu::ShaderModule,
+    groups: &'a [Option<&'a BindGroupLayout>],
+    vertex: (&'a str, Option<VertexBufferLayout<'a>>),
+    fragment: Option<(&'a str, ColorTargetState)>,
+    depth: bool,
+    topology: PrimitiveTopology,
+    samples: u32,
+}
+
+impl Recipe<'_> {
+    fn make(self, device: &Device) -> RenderPipeline {
+        let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some(self.label),
+            bind_group_layouts: self.groups,
+            immediate_size: 0,
+        });
+        let buffers: Vec<_> = self.vertex.1.into_iter().map(Some).collect();
+        let targets: Vec<_> = self.fragment.iter().map(|(_, target)| Some(target.clone())).collect();
+        device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some(self.label),
+            layout: Some(&layout),
+            vertex: wgpu::VertexState {
+                module: self.source,
+                entry_point: Some(self.vertex.0),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                buffers: &buffers,
+            },
+            primitive: wgpu::PrimitiveState { topology: self.topology, ..Default::default() },
+            depth_stencil: self.depth.then(|| DepthStencilState {
+                format: DEPTH,
+                depth_write_enabled: Some(true),
+                depth_compare: Some(CompareFunction::Less),
+                stencil: wgpu::StencilState::default(),
+                bias: wgpu::DepthBiasState::default(),
+            }),
+            multisample: wgpu::MultisampleState { count: self.samples, ..Default::default() },
+            fragment: self.fragment.as_ref().map(|(entry, _)| wgpu::FragmentState {
+                module: self.source,
+                entry_point: Some(entry),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                targets: &targets,
+            }),
+            multiview_mask: None,
+            cache: None,
+        })
+    }
+}
+
+#[expect(clippy::too_many_arguments, reason = "the fields of a recipe, in order")]
+fn triangles<'a>(
+    device: &Device,
+    label: &'a str,
+    source: &'a wgpu::ShaderModule,
+    groups: &'a [Option<&'a BindGroupLayout>],
+    vertex: (&'a str, Option<VertexBufferLayout<'a>>),
+    fragment: Option<(&'a str, ColorTargetState)>,
+    depth: bool,
+    samples: u32,
+) -> RenderPipeline {
+    let topology = PrimitiveTopology::TriangleList;
+    Recipe { label, source, groups, vertex, fragment, depth, topology, samples }.make(device)
+}
+
+/// A pass over every pixel.
+fn full(
+    device: &Device,
+    label: &str,
+    source: &wgpu::ShaderModule,
+    groups: &[Option<&BindGroupLayout>],
+    entry: &str,
+    target: ColorTargetState,
+) -> RenderPipeline {
+    triangles(device, label, source, groups, ("vs_fullscreen", None), Some((entry, target)), false, 1)
+}
+
+const ADD: wgpu::BlendComponent = wgpu::BlendComponent {
+    src_factor: wgpu::BlendFactor::One,
+    dst_factor: wgpu::BlendFactor::One,
+    operation: wgpu::BlendOperation::Add,
+};
+const OVER: wgpu::BlendComponent = wgpu::BlendComponent {
+    src_factor: wgpu::BlendFactor::One,
+    dst_factor: wgpu::BlendFactor::OneMinusSrcAlpha,
+    operation: wgpu::BlendOperation::Add,
+};
+
+impl Pipelines {
+    pub(crate) fn new(device: &Device, target: TextureFormat) -> Self {
+        let layouts = Layouts::new(device);
+        let module = |label, source: &str| {
+            device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: Some(label),
+                source: wgpu::ShaderSource::Wgsl(source.into()),
+            })
+        };
+        let (common, peel) = (Some(&layouts.common), Some(&layouts.peel));
+        let blended = |format, component| ColorTargetState {
+            format,
+            blend: Some(wgpu::BlendState { color: component, alpha: component }),
+            write_mask: wgpu::ColorWrites::ALL,
+        };
+        let vertices = |stride: usize, attributes| VertexBufferLayout {
+            array_stride: stride as u64,
+            step_mode: VertexStepMode::Vertex,
+            attributes,
+        };
+        let meshes = || vertices(size_of::<lucerna_frame::MeshVertex>(), &MESH_ATTRIBUTES);
+        let flames = || vertices(size_of::<lucerna_frame::FlameVertex>(), &FLAME_ATTRIBUTES);
+
+        let source = module("opaque", wgsl::OPAQUE);
+        let opaque = [1, 4].map(|samples| {
+            let (vertex, fragment) = (("vs_opaque", Some(meshes())), Some(("fs_opaque", HDR.into())));
+            triangles(device, "opaque", &source, &[common], vertex, fragment, true, samples)
+        });
+        let depth = triangles(device, "depth", &source, &[common], ("vs_depth", Some(meshes())), None, true, 1);
+
+        let source = module("peel", wgsl::PEEL);
+        let surface = |label, entry, target: ColorTargetState, depth| {
+            let vertex = ("vs_flame", Some(flames()));
+            triangles(device, label, &source, &[common, peel], vertex, Some((entry, target)), depth, 1)
+        };
+        let peel_first = surface("peel first", "fs_first", LAYER.into(), true);
+        let peel_next = surface("peel next", "fs_next", LAYER.into(), true);
+        let count = surface("count", "fs_count", blended(COUNT, ADD), false);
+
+        let texture = Some(&layouts.texture);
+        let source = module("shell", wgsl::SHELL);
+        let shell = full(device, "shell", &source, &[common, Some(&layouts.shell), texture], "fs_shell", HDR.into());
+        let source = module("unsorted", wgsl::UNSORTED);
+        let (vertex, fragment) = (("vs_flame", Some(flames())), Some(("fs_unsorted", blended(HDR, ADD))));
+        let unsorted = triangles(device, "unsorted", &source, &[common, peel, texture], vertex, fragment, false, 1);
+        let source = module("volume", wgsl::VOLUME);
+        let volume = full(device, "volume", &source, &[common, Some(&layouts.volume)], "fs_volume", HDR.into());
+
+        let source = module("blur", wgsl::BLUR);
+        let blur = full(device, "blur", &source, &[Some(&layouts.blur)], "fs_blur", HDR.into());
+        let shrink = full(device, "shrink", &source, &[Some(&layouts.blur)], "fs_shrink", HDR.into());
+        let source = module("compose", wgsl::COMPOSE);
+        let groups = [common, Some(&layouts.compose)];
+        let compose = [
+            full(device, "compose", &source, &groups, "fs_compose", target.into()),
+            full(device, "compose over", &source, &groups, "fs_over", blended(target, OVER)),
+        ];
+        let source = module("lines", wgsl::LINES);
+        let lines = Recipe {
+            label: "lines",
+            source: &source,
+            groups: &[common],
+            vertex: ("vs_line", Some(vertices(size_of::<lucerna_frame::LineVertex>(), &LINE_ATTRIBUTES))),
+            fragment: Some(("fs_line", target.into())),
+            depth: false,
+            topology: PrimitiveTopology::LineList,
+            samples: 1,
+        }
+        .make(device);
+        Self {
+            layouts,
+            opaque,
+            depth,
+            peel_first,
+            peel_next,
+            count,
+            shell,
+            unsorted,
+            volume,
+            blur,
+            shrink,
+            compose,
+            lines,
+        }
+    }
+}

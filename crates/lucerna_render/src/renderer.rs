@@ -1,0 +1,415 @@
+//! The long-lived renderer: what is made once, what is uploaded for a frame, and the order of the passes.
+
+use crate::compose::compose_data;
+use crate::data::{FlameData, LightData, MAX_GLOW, MAX_LAYERS, View, clip_from_world};
+use crate::error::RenderError;
+use crate::glow::weights;
+use crate::pipelines::Pipelines;
+use crate::targets::{Shape, Shared, Targets, group};
+use crate::textures;
+use crate::upload::GrowBuffer;
+use lucerna_frame::{Camera, DebugView, FlameDraw, Frame, Look, Shading, Transparency};
+use wgpu::{BindingResource, BufferUsages, Device, Queue, TextureView};
+
+/// The passes of one frame, in order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// The opaque scene, lit by the flames.
+    Opaque,
+    /// The flames: peeling and shading.
+    Peel,
+    /// The blurred copies.
+    Glow,
+    /// Everything into the target.
+    Compose,
+}
+
+impl Stage {
+    /// All stages in the order in which they are recorded.
+    pub const ALL: [Stage; 4] = [Stage::Opaque, Stage::Peel, Stage::Glow, Stage::Compose];
+}
+
+/// Draws fire into the caller's targets with the caller's device.
+#[derive(Debug)]
+pub struct FireRenderer {
+    pub(crate) pipelines: Pipelines,
+    encodes_srgb: bool,
+    view: wgpu::Buffer,
+    compose: wgpu::Buffer,
+    pub(crate) open_intervals: wgpu::Buffer,
+    flames: GrowBuffer,
+    lights: GrowBuffer,
+    pub(crate) common_group: wgpu::BindGroup,
+    pub(crate) flame_vertices: GrowBuffer,
+    pub(crate) flame_indices: GrowBuffer,
+    pub(crate) flame_draws: Vec<FlameDraw>,
+    pub(crate) mesh_vertices: GrowBuffer,
+    pub(crate) mesh_indices: GrowBuffer,
+    pub(crate) mesh_index_count: u32,
+    mesh_revision: Option<u64>,
+    pub(crate) lines: GrowBuffer,
+    pub(crate) line_vertex_count: u32,
+    noise: TextureView,
+    repeat: wgpu::Sampler,
+    clamp: wgpu::Sampler,
+    pub(crate) texture_group: wgpu::BindGroup,
+    /// The caller's depth, drawn over; without it the renderer draws the scene itself.
+    pub(crate) scene_depth: Option<TextureView>,
+    pub(crate) targets: Option<Targets>,
+    /// Staging for the per-flame and per-light data, kept to be refilled.
+    flame_data: Vec<FlameData>,
+    light_data: Vec<LightData>,
+    // What the passes of the prepared frame need to know.
+    pub(crate) mode: (Shading, Transparency),
+    pub(crate) debug: DebugView,
+    pub(crate) background: [f32; 3],
+    pub(crate) counts_layers: bool,
+    /// Pixels that flames may cover: x, y, width, height.
+    pub(crate) flame_bounds: Option<[u32; 4]>,
+    pub(crate) glow_radii: [u32; MAX_GLOW],
+}
+
+impl FireRenderer {
+    /// Makes all pipelines for targets of one format.
+    ///
+    /// Formats that encode sRGB themselves and those that do not are both right: the colours on screen agree.
+    #[must_use]
+    pub fn new(device: &Device, queue: &Queue, target: wgpu::TextureFormat) -> Self {
+        let pipelines = Pipelines::new(device, target);
+        let fixed = |label, size: usize, usage| {
+            let usage = usage | BufferUsages::COPY_DST;
+            let size = size as u64;
+            device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false })
+        };
+        let view = fixed("view", size_of::<View>(), BufferUsages::UNIFORM);
+        let compose = fixed("compose", size_of::<crate::data::ComposeData>(), BufferUsages::UNIFORM);
+        let open_intervals = fixed("open intervals", 4, BufferUsages::STORAGE | BufferUsages::COPY_SRC);
+        let growing = |label, usage, bytes| GrowBuffer::new(device, label, usage, bytes);
+        let flames = growing("flames", BufferUsages::STORAGE, (size_of::<FlameData>() * 16) as u64);
+        let lights = growing("lights", BufferUsages::STORAGE, (size_of::<LightData>() * 64) as u64);
+        let common_group = common_group(device, &pipelines, &view, &flames, &lights);
+        let sampler = |mode| {
+            device.create_sampler(&wgpu::SamplerDescriptor {
+                address_mode_u: mode,
+                address_mode_v: if mode == wgpu::AddressMode::Repeat { mode } else { wgpu::AddressMode::ClampToEdge },
+                address_mode_w: mode,
+                mag_filter: wgpu::FilterMode::Linear,
+                min_filter: wgpu::FilterMode::Linear,
+                ..Default::default()
+            })
+        };
+        let (repeat, clamp) = (sampler(wgpu::AddressMode::Repeat), sampler(wgpu::AddressMode::ClampToEdge));
+        let painted = textures::painted_flame(device, queue);
+        let texture_group = texture_group(device, &pipelines, &painted);
+        Self {
+            encodes_srgb: !target.is_srgb() && !is_float(target),
+            flame_vertices: growing("flame vertices", BufferUsages::VERTEX, 1 << 18),
+            flame_indices: growing("flame indices", BufferUsages::INDEX, 1 << 16),
+            flame_draws: Vec::new(),
+            mesh_vertices: growing("mesh vertices", BufferUsages::VERTEX, 256),
+            mesh_indices: growing("mesh indices", BufferUsages::INDEX, 256),
+            mesh_index_count: 0,
+            mesh_revision: None,
+            lines: growing("lines", BufferUsages::VERTEX, 256),
+            line_vertex_count: 0,
+            noise: textures::noise(device, queue),
+            repeat,
+            clamp,
+            texture_group,
+            scene_depth: None,
+            targets: None,
+            flame_data: Vec::new(),
+            light_data: Vec::new(),
+            mode: Default::default(),
+            debug: DebugView::Final,
+            background: [0.0; 3],
+            counts_layers: false,
+            flame_bounds: None,
+            glow_radii: [0; MAX_GLOW],
+            pipelines,
+            view,
+            compose,
+            open_intervals,
+            flames,
+            lights,
+            common_group,
+        }
+    }
+
+    /// Draws over the caller's own picture from now on: flames are tested against `depth` and blended onto the
+    /// target, and the frame's meshes are left out. `None` goes back to drawing the whole scene.
+    ///
+    /// `depth` must be of the picture's size, single-sampled, of a format with 0 near and 1 far that can be bound as
+    /// a texture. Call it again when that texture is made anew.
+    pub fn set_scene_depth(&mut self, depth: Option<&TextureView>) {
+        self.scene_depth = depth.cloned();
+        self.targets = None;
+    }
+
+    /// Replaces the painted flame of `shell` shading: sRGB texels with alpha unused, the tip in the first row.
+    ///
+    /// # Errors
+    /// [`RenderError::Frame`] if the number of bytes is not width x height x 4.
+    pub fn set_flame_texture(
+        &mut self,
+        device: &Device,
+        queue: &Queue,
+        size: [u32; 2],
+        texels: &[u8],
+    ) -> Result<(), RenderError> {
+        let expected = size[0] as usize * size[1] as usize * 4;
+        if expected == 0 || texels.len() != expected {
+            let problem = format!("has {} bytes: must be {} x {} x 4, above 0", texels.len(), size[0], size[1]);
+            return Err(RenderError::Frame { field: "flame_texture", problem });
+        }
+        let view = textures::flame_texture(device, queue, size, texels);
+        self.texture_group = texture_group(device, &self.pipelines, &view);
+        Ok(())
+    }
+
+    /// Counts layers and open intervals from now on (an extra pass), or stops.
+    pub fn set_statistics(&mut self, on: bool) {
+        self.counts_layers = on;
+    }
+
+    /// The flames before any blur, `Rgba16Float`: radiance, and the share of what lies behind that the soot hides.
+    /// `None` before the first frame.
+    #[must_use]
+    pub fn flame_texture(&self) -> Option<&wgpu::Texture> {
+        self.targets.as_ref().map(|targets| &targets.flame_texture)
+    }
+
+    /// Uploads a frame. Textures are made anew only when the size, the layers, the samples or the glow levels changed.
+    ///
+    /// # Errors
+    /// A [`RenderError`] that names the field, if the size, the camera, the look or the frame cannot be drawn.
+    pub fn prepare(
+        &mut self,
+        device: &Device,
+        queue: &Queue,
+        size_px: [u32; 2],
+        frame: &Frame<'_>,
+        camera: &Camera,
+        look: &Look,
+    ) -> Result<(), RenderError> {
+        check_size(size_px, device.limits().max_texture_dimension_2d)?;
+        check_camera(camera)?;
+        check_look(look)?;
+        check_frame(frame)?;
+
+        self.flame_data.clear();
+        self.flame_data.extend(frame.flame_shades.iter().map(FlameData::new));
+        self.light_data.clear();
+        self.light_data.extend(frame.lights.iter().map(|light| LightData::new(light, look)));
+        let flames_grew = self.flames.write(device, queue, bytemuck::cast_slice(&self.flame_data));
+        let lights_grew = self.lights.write(device, queue, bytemuck::cast_slice(&self.light_data));
+        if flames_grew || lights_grew {
+            self.common_group = common_group(device, &self.pipelines, &self.view, &self.flames, &self.lights);
+        }
+        let view = View::new(size_px, frame, camera, look, self.encodes_srgb);
+        queue.write_buffer(&self.view, 0, bytemuck::bytes_of(&view));
+        queue.write_buffer(&self.compose, 0, bytemuck::bytes_of(&compose_data(look)));
+        queue.write_buffer(&self.open_intervals, 0, &[0; 4]);
+
+        self.flame_vertices.write(device, queue, bytemuck::cast_slice(frame.flame_vertices));
+        self.flame_indices.write(device, queue, bytemuck::cast_slice(frame.flame_indices));
+        self.flame_draws.clear();
+        self.flame_draws.extend_from_slice(frame.flame_draws);
+        self.flame_bounds = bounds(size_px, frame, camera);
+        self.lines.write(device, queue, bytemuck::cast_slice(frame.lines));
+        self.line_vertex_count = frame.lines.len() as u32;
+        self.upload_meshes(device, queue, frame);
+
+        self.mode = (look.shading, look.transparency);
+        self.debug = look.debug;
+        // Background and meshes meet the tone map in the same unit as the flames.
+        self.background = look.background;
+        if !self.targets.as_ref().is_some_and(|targets| targets.shape.fits(size_px, look)) {
+            let shared = Shared {
+                layouts: &self.pipelines.layouts,
+                noise: &self.noise,
+                repeat: &self.repeat,
+                clamp: &self.clamp,
+                open_intervals: &self.open_intervals,
+                compose: &self.compose,
+                scene_depth: self.scene_depth.as_ref(),
+            };
+            self.targets = Some(Targets::new(device, Shape::of(size_px, look), &shared));
+        }
+        if let Some(targets) = &self.targets {
+            Self::upload_kernels(queue, targets, &look.glow);
+        }
+        for (radius, level) in self.glow_radii.iter_mut().zip(&look.glow) {
+            *radius = weights(level.blur, size_px[1], level.divisor).1.unsigned_abs();
+        }
+        Ok(())
+    }
+
+    fn upload_meshes(&mut self, device: &Device, queue: &Queue, frame: &Frame<'_>) {
+        if self.mesh_revision == Some(frame.mesh_revision) {
+            return;
+        }
+        self.mesh_revision = Some(frame.mesh_revision);
+        let mut vertices = Vec::new();
+        let mut indices = Vec::new();
+        for mesh in frame.meshes {
+            let first = vertices.len() as u32;
+            vertices.extend_from_slice(&mesh.vertices);
+            indices.extend(mesh.indices.iter().map(|index| index + first));
+        }
+        self.mesh_vertices.write(device, queue, bytemuck::cast_slice(&vertices));
+        self.mesh_indices.write(device, queue, bytemuck::cast_slice(&indices));
+        self.mesh_index_count = indices.len() as u32;
+    }
+
+    /// Records one stage of the prepared frame; `target` is used by [`Stage::Compose`] alone. Stages must follow in
+    /// the order of [`Stage::ALL`]. Does nothing before the first [`prepare`](Self::prepare).
+    pub fn record(&self, stage: Stage, encoder: &mut wgpu::CommandEncoder, target: &TextureView) {
+        let Some(targets) = &self.targets else { return };
+        match stage {
+            Stage::Opaque if self.scene_depth.is_some() => {}
+            Stage::Opaque => self.record_opaque(targets, encoder),
+            Stage::Peel => self.record_flames(targets, encoder),
+            Stage::Glow => self.record_glow(targets, encoder),
+            Stage::Compose => self.record_compose(targets, encoder, target),
+        }
+    }
+
+    /// Records all stages.
+    pub fn render(&self, encoder: &mut wgpu::CommandEncoder, target: &TextureView) {
+        for stage in Stage::ALL {
+            self.record(stage, encoder, target);
+        }
+    }
+}
+
+fn is_float(format: wgpu::TextureFormat) -> bool {
+    use wgpu::TextureFormat::{Rg11b10Ufloat, Rgba16Float, Rgba32Float};
+    matches!(format, Rg11b10Ufloat | Rgba16Float | Rgba32Float)
+}
+
+fn common_group(
+    device: &Device,
+    pipelines: &Pipelines,
+    view: &wgpu::Buffer,
+    flames: &GrowBuffer,
+    lights: &GrowBuffer,
+) -> wgpu::BindGroup {
+    let resources = [view, &flames.buffer, &lights.buffer].map(wgpu::Buffer::as_entire_binding);
+    group(device, "common", &pipelines.layouts.common, &resources)
+}
+
+fn texture_group(device: &Device, pipelines: &Pipelines, texture: &TextureView) -> wgpu::BindGroup {
+    // Around the flame the picture repeats; from root to tip it does not.
+    let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
+        address_mode_u: wgpu::AddressMode::Repeat,
+        mag_filter: wgpu::FilterMode::Linear,
+        min_filter: wgpu::FilterMode::Linear,
+        ..Default::default()
+    });
+    let resources = [BindingResource::TextureView(texture), BindingResource::Sampler(&sampler)];
+    group(device, "flame texture", &pipelines.layouts.texture, &resources)
+}
+
+/// The pixels that the flames may cover; all of them when a flame reaches behind the eye.
+fn bounds(size: [u32; 2], frame: &Frame<'_>, camera: &Camera) -> Option<[u32; 4]> {
+    let clip_from_world = clip_from_world(size, camera);
+    let (mut low, mut high) = (glam::Vec2::MAX, glam::Vec2::MIN);
+    for vertex in frame.flame_vertices {
+        let clip = clip_from_world * glam::Vec3::from(vertex.position).extend(1.0);
+        if clip.w <= camera.near_m {
+            return Some([0, 0, size[0], size[1]]);
+        }
+        let ndc = clip.truncate().truncate() / clip.w;
+        low = low.min(ndc);
+        high = high.max(ndc);
+    }
+    let size = glam::Vec2::new(size[0] as f32, size[1] as f32);
+    let pixel = |ndc: glam::Vec2| (ndc * glam::Vec2::new(0.5, -0.5) + 0.5) * size;
+    let (from, to) =
+        (pixel(glam::Vec2::new(low.x, high.y)).floor() - 1.0, pixel(glam::Vec2::new(high.x, low.y)).ceil() + 1.0);
+    let (from, to) = (from.max(glam::Vec2::ZERO), to.min(size));
+    (to.x > from.x && to.y > from.y).then(|| [from.x, from.y, to.x - from.x, to.y - from.y].map(|v| v as u32))
+}
+
+fn check_size([width, height]: [u32; 2], limit: u32) -> Result<(), RenderError> {
+    if width == 0 || height == 0 || width > limit || height > limit {
+        return Err(RenderError::Size { width, height, limit });
+    }
+    Ok(())
+}
+
+fn check_camera(camera: &Camera) -> Result<(), RenderError> {
+    let error = |field, value, allowed| Err(RenderError::Camera { field, value, allowed });
+    if let Some(value) = camera.eye.iter().chain(&camera.target).find(|v| !v.is_finite()) {
+        return error("eye or camera.target", *value, "finite");
+    }
+    if !(1.0..=170.0).contains(&camera.fov_y_deg) {
+        return error("fov_y_deg", camera.fov_y_deg, "1 to 170");
+    }
+    if !(camera.near_m.is_finite() && camera.near_m > 0.0) {
+        return error("near_m", camera.near_m, "above 0");
+    }
+    if !(camera.far_m.is_finite() && camera.far_m > camera.near_m) {
+        return error("far_m", camera.far_m, "above near_m");
+    }
+    Ok(())
+}
+
+fn check_look(look: &Look) -> Result<(), RenderError> {
+    let error = |field, value: &dyn std::fmt::Display, allowed| {
+        Err(RenderError::Look { field, value: value.to_string(), allowed })
+    };
+    if !(1..=MAX_LAYERS).contains(&look.layers) {
+        return error("layers", &look.layers, "1 to 32");
+    }
+    if look.glow.len() > MAX_GLOW {
+        return error("glow", &look.glow.len(), "at most 4 levels");
+    }
+    if let Some(level) = look.glow.iter().find(|level| ![1, 4, 16].contains(&level.divisor)) {
+        return error("glow.divisor", &level.divisor, "1, 4 or 16");
+    }
+    if ![1, 4].contains(&look.samples) {
+        return error("samples", &look.samples, "1 or 4");
+    }
+    if !(2..=32).contains(&look.volume_steps) {
+        return error("volume_steps", &look.volume_steps, "2 to 32");
+    }
+    if !(-30.0..=30.0).contains(&look.exposure_stops) {
+        return error("exposure_stops", &look.exposure_stops, "-30 to 30");
+    }
+    if !(1000.0..=20_000.0).contains(&look.white_k) {
+        return error("white_k", &look.white_k, "1000 to 20000");
+    }
+    Ok(())
+}
+
+/// Flames that a layer can name.
+const MAX_FLAMES: usize = (1 << 15) - 2;
+
+fn check_frame(frame: &Frame<'_>) -> Result<(), RenderError> {
+    let error = |field, problem: String| Err(RenderError::Frame { field, problem });
+    let (draws, shades) = (frame.flame_draws.len(), frame.flame_shades.len());
+    if draws != shades || shades > MAX_FLAMES {
+        return error(
+            "flame_shades",
+            format!("has {shades} entries for {draws} draws: must be as many, at most {MAX_FLAMES}"),
+        );
+    }
+    let (vertices, indices) = (frame.flame_vertices.len() as u64, frame.flame_indices.len() as u64);
+    for (index, draw) in frame.flame_draws.iter().enumerate() {
+        let last_vertex = u64::from(draw.first_vertex) + u64::from(draw.vertex_count);
+        let last_index = u64::from(draw.first_index) + u64::from(draw.index_count);
+        if last_vertex > vertices || last_index > indices {
+            let problem =
+                format!("[{index}] ends at vertex {last_vertex} of {vertices} and index {last_index} of {indices}");
+            return error("flame_draws", problem);
+        }
+    }
+    for (index, mesh) in frame.meshes.iter().enumerate() {
+        if let Some(bad) = mesh.indices.iter().find(|&&i| i as usize >= mesh.vertices.len()) {
+            return error("meshes", format!("[{index}] has the index {bad} and {} vertices", mesh.vertices.len()));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,135 @@
+// Everything into the target: scene behind the flames, blurred flames on top, exposure, tone map, dither.
+
+struct Compose {
+    // One gain for each blurred copy; 0 where there is none.
+    gains: vec4f,
+    // debug view (see below), its layer, unused, unused
+    debug: vec4u,
+}
+
+@group(1) @binding(0) var<uniform> compose: Compose;
+@group(1) @binding(1) var opaque_color: texture_2d<f32>;
+@group(1) @binding(2) var flame_color: texture_2d<f32>;
+@group(1) @binding(3) var glow_0: texture_2d<f32>;
+@group(1) @binding(4) var glow_1: texture_2d<f32>;
+@group(1) @binding(5) var glow_2: texture_2d<f32>;
+@group(1) @binding(6) var glow_3: texture_2d<f32>;
+@group(1) @binding(7) var layer_surfaces: texture_2d_array<u32>;
+@group(1) @binding(8) var layer_count: texture_2d<f32>;
+@group(1) @binding(9) var linear_sampler: sampler;
+
+const DEBUG_LAYER: u32 = 1u;
+const DEBUG_COUNT: u32 = 2u;
+const DEBUG_FLAMES: u32 = 3u;
+const DEBUG_GLOW: u32 = 4u;
+const DEBUG_OPAQUE: u32 = 5u;
+
+// Two thirds per channel, one third on the luminance with the hue kept: the core of a flame goes to cream, its
+// edges stay orange.
+fn filmic(x: vec3f) -> vec3f {
+    let channels = 1.0 - exp(-x);
+    let luminance = dot(x, vec3f(0.2126, 0.7152, 0.0722));
+    let hue = x * ((1.0 - exp(-luminance)) / max(luminance, 1e-6));
+    return mix(channels, min(hue, vec3f(1.0)), 1.0 / 3.0);
+}
+
+fn srgb(x: vec3f) -> vec3f {
+    let c = clamp(x, vec3f(0.0), vec3f(1.0));
+    return select(1.055 * pow(c, vec3f(1.0 / 2.4)) - 0.055, c * 12.92, c <= vec3f(0.0031308));
+}
+
+// Interleaved gradient noise (Jimenez 2014), one step of 8 bits wide: no bands in the dark.
+fn dither(pixel: vec2f) -> f32 {
+    return (fract(52.9829189 * fract(dot(pixel, vec2f(0.06711056, 0.00583715)))) - 0.5) / 255.0;
+}
+
+fn glow_at(uv: vec2f) -> vec3f {
+    let sum = textureSampleLevel(glow_0, linear_sampler, uv, 0.0) * compose.gains.x
+        + textureSampleLevel(glow_1, linear_sampler, uv, 0.0) * compose.gains.y
+        + textureSampleLevel(glow_2, linear_sampler, uv, 0.0) * compose.gains.z
+        + textureSampleLevel(glow_3, linear_sampler, uv, 0.0) * compose.gains.w;
+    return sum.rgb * view.extra.y;
+}
+
+fn displayed(light: vec3f, pixel: vec2f) -> vec3f {
+    var color = light * view.background_exposure.w;
+    if view.modes.w == 1u {
+        color = filmic(color);
+    }
+    let encoded = srgb(color) + dither(pixel);
+    if view.modes.z == 1u {
+        return encoded;
+    }
+    // The target encodes by itself.
+    let c = clamp(encoded, vec3f(0.0), vec3f(1.0));
+    return select(pow((c + 0.055) / 1.055, vec3f(2.4)), c / 12.92, c <= vec3f(0.04045));
+}
+
+// Blue through green to red, for counts from 1 to 16.
+fn heat_color(count: f32) -> vec3f {
+    let t = clamp(count / 16.0, 0.0, 1.0);
+    return select(vec3f(0.0), clamp(vec3f(2.0 * t - 0.5, 1.5 - abs(4.0 * t - 2.0), 1.2 - 2.5 * t), vec3f(0.03), vec3f(1.0)), count > 0.0);
+}
+
+fn debug_color(pixel: vec2i, uv: vec2f) -> vec3f {
+    switch compose.debug.x {
+        case DEBUG_LAYER: {
+            let packed = textureLoad(layer_surfaces, pixel, i32(compose.debug.y), 0).xy;
+            let height = f32(packed.x & 0xffffu) / 65535.0;
+            let side = select(vec3f(0.1, 0.4, 1.0), vec3f(1.0, 0.5, 0.1), ((packed.x >> 16u) & 1u) == 1u);
+            return select(vec3f(0.0), side * (0.15 + 0.85 * height), packed.x != 0u);
+        }
+        case DEBUG_COUNT: {
+            return heat_color(textureLoad(layer_count, pixel, 0).x);
+        }
+        default: {
+            return vec3f(0.0);
+        }
+    }
+}
+
+fn debug_light(pixel: vec2i, uv: vec2f) -> vec3f {
+    switch compose.debug.x {
+        case DEBUG_FLAMES: {
+            return textureLoad(flame_color, pixel, 0).rgb * view.extra.y;
+        }
+        case DEBUG_OPAQUE: {
+            return textureLoad(opaque_color, pixel, 0).rgb;
+        }
+        default: {
+            return glow_at(uv);
+        }
+    }
+}
+
+fn debug_view(position: vec2f, uv: vec2f) -> vec4f {
+    let pixel = vec2i(position);
+    if compose.debug.x == DEBUG_LAYER || compose.debug.x == DEBUG_COUNT {
+        let color = debug_color(pixel, uv);
+        return vec4f(select(color, srgb(color), view.modes.z == 1u), 1.0);
+    }
+    return vec4f(displayed(debug_light(pixel, uv), position), 1.0);
+}
+
+@fragment
+fn fs_compose(@builtin(position) position: vec4f) -> @location(0) vec4f {
+    let uv = position.xy / vec2f(view.size_layers_lights.xy);
+    if compose.debug.x != 0u {
+        return debug_view(position.xy, uv);
+    }
+    // The sharpest copy also says how much of the scene the soot hides: its edge must be as soft as the flame's.
+    let hidden = textureSampleLevel(glow_0, linear_sampler, uv, 0.0).a;
+    let scene = textureLoad(opaque_color, vec2i(position.xy), 0).rgb;
+    return vec4f(displayed(scene * (1.0 - hidden) + glow_at(uv), position.xy), 1.0);
+}
+
+// Over a picture that is there already: premultiplied, so that the glow adds and the soot hides.
+@fragment
+fn fs_over(@builtin(position) position: vec4f) -> @location(0) vec4f {
+    let uv = position.xy / vec2f(view.size_layers_lights.xy);
+    if compose.debug.x != 0u {
+        return debug_view(position.xy, uv);
+    }
+    let hidden = textureSampleLevel(glow_0, linear_sampler, uv, 0.0).a;
+    return vec4f(displayed(glow_at(uv), position.xy), hidden);
+}

@@ -1,0 +1,64 @@
+// The opaque scene, lit by the flames pixel by pixel.
+
+struct Surface {
+    @builtin(position) clip: vec4f,
+    @location(0) world: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) color: vec3f,
+    @location(3) emission: vec3f,
+}
+
+@vertex
+fn vs_opaque(
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) color: vec3f,
+    @location(3) emission: vec3f,
+) -> Surface {
+    var out: Surface;
+    out.clip = view.clip_from_world * vec4f(position, 1.0);
+    out.world = position;
+    out.normal = normal;
+    out.color = color;
+    out.emission = emission;
+    return out;
+}
+
+// Blinn-Phong with a broad lobe: wood, wax and stone.
+const SHININESS: f32 = 24.0;
+const SPECULAR: f32 = 0.04;
+
+@fragment
+fn fs_opaque(in: Surface) -> @location(0) vec4f {
+    let to_eye = normalize(view.eye_time.xyz - in.world);
+    var normal = normalize(in.normal);
+    if dot(normal, to_eye) < 0.0 {
+        normal = -normal;
+    }
+    var irradiance = vec3f(0.0);
+    var gloss = vec3f(0.0);
+    for (var i = 0u; i < view.size_layers_lights.w; i++) {
+        let light = lights[i];
+        let to_light = light.position_radius.xyz - in.world;
+        // A sphere of gas, not a point: the fall-off levels out inside it, and it peeps over the horizon.
+        let radius = light.position_radius.w;
+        let squared = dot(to_light, to_light) + radius * radius;
+        let direction = to_light * inverseSqrt(max(dot(to_light, to_light), 1e-12));
+        let wrap = radius * inverseSqrt(squared);
+        let facing = max((dot(normal, direction) + wrap) / (1.0 + wrap), 0.0);
+        let arriving = light.intensity.rgb * (facing / squared);
+        irradiance += arriving;
+        let half_way = normalize(direction + to_eye);
+        gloss += arriving * pow(max(dot(normal, half_way), 0.0), SHININESS);
+    }
+    let gain = view.ambient_gain.w;
+    let diffuse = in.color * (irradiance * (gain / 3.14159265) + view.ambient_gain.rgb);
+    let specular = gloss * (gain * SPECULAR * (SHININESS + 2.0) / 6.2831853);
+    return vec4f(diffuse + specular + adapted(in.emission), 1.0);
+}
+
+// The depth alone, for the passes that follow.
+@vertex
+fn vs_depth(@location(0) position: vec3f) -> @builtin(position) vec4f {
+    return view.clip_from_world * vec4f(position, 1.0);
+}
