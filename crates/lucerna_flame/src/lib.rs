@@ -1,5 +1,36 @@
 //! Flames grown from wicks: skeletons, NURBS surfaces and their light.
+//!
+//! The model is that of Bridault, Rousselle, Renaud and Leblond, *Real-time Animation of Various
+//! Flame Shapes* (2006), called paper 003 in this crate: roots along a wick emit chains of particles
+//! that the air carries; the chains are the control net of a closed NURBS surface. Here they are
+//! read at fixed ages in seconds, so that the look depends on no time step.
+//!
+//! * [`FlameSettings`]: what a user says; [`Flames`]: what burns and what is drawn of it.
+//! * [`Air`]: the air, any field of velocities; `lucerna_fluid::Fluid` is one.
 
+mod air;
+mod chains;
+mod check;
+mod error;
+mod flame;
+mod flames;
+mod free;
+mod fuel;
+mod light;
+mod lines;
+mod net;
 pub mod params;
+mod random;
+mod roots;
+mod surface;
+mod wick;
 
-pub use params::{FlameSettings, Fuel, FuelDistribution, FuelForm, Skeletons, SurfaceGrid, Swing, WickShape};
+pub use air::{Air, UniformAir};
+pub use error::FlameError;
+pub use flame::Source;
+pub use flames::{Flames, MAX_FLAMES};
+pub use params::{
+    FlameSettings, Fuel, FuelDistribution, FuelForm, Skeletons, SurfaceGrid, Swing, WickShape,
+};
+pub use roots::{LeadRoot, PeripheralRoot, Roots, lead_of_row};
+pub use wick::{Centreline, MAX_WICK_POINTS};

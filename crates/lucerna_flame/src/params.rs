@@ -131,6 +131,13 @@ pub struct Skeletons {
     pub shed_per_s: f32,
     /// Life of a free flame, s.
     pub free_life_s: f32,
+    /// How far old peripheral control points are drawn in to the lead skeleton, 0 (the published chains) to 1:
+    /// fuel burns up, and the sheet of flame closes in on it. Raising it makes slender, pointed tongues.
+    pub taper: f32,
+    /// Speed of eddies finer than the air's grid, m/s; 0 for none. Raising it makes flames lick and neck.
+    pub turbulence_m_s: f32,
+    /// Size of these eddies, m; about the width of a tongue.
+    pub turbulence_m: f32,
 }
 
 impl Default for Skeletons {
@@ -146,6 +153,9 @@ impl Default for Skeletons {
             peripheral_sway_s: [0.0; 3],
             shed_per_s: 0.0,
             free_life_s: 0.15,
+            taper: 0.7,
+            turbulence_m_s: 0.0,
+            turbulence_m: 0.02,
         }
     }
 }
@@ -181,4 +191,18 @@ pub struct FlameSettings {
     pub surface: SurfaceGrid,
     /// How it glows.
     pub shade: lucerna_frame::FlameShade,
+}
+
+impl FlameSettings {
+    /// A flame on this wick, everything else by default.
+    #[must_use]
+    pub fn new(wick: WickShape) -> Self {
+        Self {
+            wick,
+            fuel: Fuel::default(),
+            skeletons: Skeletons::default(),
+            surface: SurfaceGrid::default(),
+            shade: lucerna_frame::FlameShade::default(),
+        }
+    }
 }

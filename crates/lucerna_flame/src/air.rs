@@ -1,0 +1,45 @@
+//! What a flame needs to know of the air.
+
+use glam::Vec3;
+
+/// Air that carries flames: a solver's grid, or any field of velocities.
+pub trait Air: Sync {
+    /// Velocity at a point, m/s.
+    fn velocity(&self, point: Vec3) -> Vec3;
+
+    /// Lowest and highest corner of the box of air, m. Particles stay inside.
+    fn bounds(&self) -> (Vec3, Vec3);
+
+    /// Moves points with the air for `dt_s` seconds; by default with the midpoint rule.
+    fn carry(&self, points: &mut [Vec3], dt_s: f32) {
+        for point in points {
+            let middle = *point + self.velocity(*point) * (0.5 * dt_s);
+            *point += self.velocity(middle) * dt_s;
+        }
+    }
+}
+
+/// Air that moves with one velocity everywhere: for tests and previews.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UniformAir {
+    /// Velocity, m/s.
+    pub velocity_m_s: Vec3,
+    /// Lowest corner of the box, m.
+    pub low_m: Vec3,
+    /// Highest corner of the box, m.
+    pub high_m: Vec3,
+}
+
+impl Air for UniformAir {
+    fn velocity(&self, _point: Vec3) -> Vec3 {
+        self.velocity_m_s
+    }
+    fn bounds(&self) -> (Vec3, Vec3) {
+        (self.low_m, self.high_m)
+    }
+}
+
+/// The point of the box nearest to `point`; a point that is not a number goes to `fallback`.
+pub(crate) fn keep_inside(point: Vec3, (low, high): (Vec3, Vec3), fallback: Vec3) -> Vec3 {
+    if point.is_finite() { point.clamp(low, high) } else { fallback.clamp(low, high) }
+}

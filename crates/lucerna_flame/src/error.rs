@@ -1,0 +1,55 @@
+//! What can be wrong with a fire's description.
+
+/// Why a flame could not be made.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FlameError {
+    /// A number is outside of its range.
+    #[error("{field} is {value}; allowed is {allowed}")]
+    OutOfRange {
+        /// The field, as it is called in a scene.
+        field: &'static str,
+        /// What it is.
+        value: f64,
+        /// What it may be.
+        allowed: &'static str,
+    },
+    /// A list has the wrong length.
+    #[error("{field} has {count} entries; allowed is {allowed}")]
+    Count {
+        /// The list.
+        field: &'static str,
+        /// How long it is.
+        count: usize,
+        /// How long it may be.
+        allowed: &'static str,
+    },
+    /// A position or an entry of a list is NaN or infinite.
+    #[error("entry {index} of {field} is {value}; allowed are finite numbers up to 1e6")]
+    NotFinite {
+        /// The list.
+        field: &'static str,
+        /// Which entry, from 0.
+        index: usize,
+        /// The first bad number in it.
+        value: f64,
+    },
+    /// The surface could not be laid out.
+    #[error("the flame's surface could not be laid out")]
+    Surface(#[from] lucerna_nurbs::NurbsError),
+}
+
+/// Fails unless `low <= value <= high` (so NaN fails).
+pub(crate) fn in_range(
+    field: &'static str,
+    value: f32,
+    low: f32,
+    high: f32,
+    allowed: &'static str,
+) -> Result<(), FlameError> {
+    if value >= low && value <= high {
+        Ok(())
+    } else {
+        Err(FlameError::OutOfRange { field, value: f64::from(value), allowed })
+    }
+}

@@ -1,0 +1,80 @@
+//! From chains to nets and surfaces.
+
+use super::Flame;
+use crate::net::{self, Shaping, Spine};
+use crate::random::Fnv;
+use crate::surface::Surface;
+use lucerna_frame::FlameShade;
+
+impl Flame {
+    /// Reads the lead chains at their fixed ages.
+    pub(super) fn trace_spines(&mut self) {
+        let points = self.row.len();
+        let s = &self.settings.skeletons;
+        let spines = self.spines.chunks_exact_mut(points).zip(self.lengths.chunks_exact_mut(points));
+        for (i, ((spine, lengths), tongue)) in spines.zip(&self.tongues).enumerate() {
+            self.chains.sample(i, s.lead_life_s * tongue.reach / (points - 1) as f32, spine);
+            net::measure(spine, lengths, s.width_m);
+        }
+    }
+
+    /// Makes the control net.
+    pub(super) fn build_net(&mut self) {
+        self.trace_spines();
+        let points = self.row.len();
+        let s = &self.settings.skeletons;
+        let leads = self.roots.leads.len();
+        // A closed cubic through four points passes at 2/3 of their distance from the middle.
+        let spread = if leads == 1 { 1.5 } else { 1.0 };
+        for (r, (out, root)) in self.net.chunks_exact_mut(points + 2).zip(&self.roots.peripherals).enumerate() {
+            let range = root.lead * points..(root.lead + 1) * points;
+            let spine = Spine { points: &self.spines[range.clone()], lengths: &self.lengths[range] };
+            let reach = self.tongues[root.lead].reach;
+            self.chains.sample(leads + r, s.peripheral_life_s * reach / (points - 1) as f32, &mut self.row);
+            let how = Shaping { outward: root.outward, least_m: 0.15 * s.width_m, taper: s.taper, spread };
+            net::shape(&spine, &mut self.row, how, &mut self.heights);
+            net::write_row(out, &spine, &self.row);
+        }
+    }
+
+    /// Makes the nets and surfaces of the flame and of its free flames.
+    pub(crate) fn build(&mut self) {
+        self.build_net();
+        self.surface.build(&self.plan, &self.net);
+        for free in self.free.iter_mut().filter(|f| f.burning) {
+            free.build_net();
+            free.surface.build(&self.free_plan, &free.net);
+        }
+    }
+
+    /// The surfaces that burn now, the attached one first, and how they are shaded.
+    pub(crate) fn surfaces(&self) -> impl Iterator<Item = (&Surface, FlameShade, bool)> {
+        let shade = self.settings.shade;
+        let free = self.free.iter().filter(|f| f.burning).map(move |f| {
+            // A free flame has left the wick: it is soot from end to end, without a blue zone.
+            let strength = shade.strength * f.strength();
+            let loose = FlameShade {
+                soot_begin: 0.0,
+                soot_full: 0.2,
+                blue_per_m: 0.0,
+                dark_radius: 0.0,
+                strength,
+                ..shade
+            };
+            (&f.surface, loose, true)
+        });
+        std::iter::once((&self.surface, shade, false)).chain(free)
+    }
+
+    pub(crate) fn hash(&self, fnv: &mut Fnv) {
+        fnv.word(self.rng.state());
+        fnv.word(self.drift_m.to_bits());
+        for tongue in &self.tongues {
+            fnv.float(tongue.reach);
+            fnv.float(tongue.share);
+            fnv.float(tongue.cut.unwrap_or(-1.0));
+        }
+        self.chains.hash(fnv);
+        self.free.iter().for_each(|f| f.hash(fnv));
+    }
+}

@@ -1,0 +1,200 @@
+//! One flame: its roots, chains, net, surface and the tips that broke away from it.
+
+mod build;
+mod shed;
+
+use crate::air::Air;
+use crate::chains::Chains;
+use crate::free::{self, Free};
+use crate::random::{Pcg, hash, noise_3d};
+use crate::roots::Roots;
+use crate::surface::{PlanKey, Surface, SurfacePlan};
+use crate::{FlameError, FlameSettings};
+use glam::Vec3;
+use lucerna_frame::blackbody_rgb;
+use std::sync::Arc;
+
+/// Most free flames of one flame.
+const MAX_FREE: usize = 12;
+
+/// What a root does to the air during one step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Source {
+    /// Where, m.
+    pub position: Vec3,
+    /// Upward acceleration, m/s^2.
+    pub acceleration_m_s2: f32,
+    /// Radius of the heated ball, m.
+    pub radius_m: f32,
+    /// Heating, K/s.
+    pub heat_k_s: f32,
+}
+
+/// The tongue over one lead root.
+#[derive(Clone, Copy, Debug)]
+struct Tongue {
+    /// The random number of `FuelDistribution::Random`.
+    share: f32,
+    /// How much of the chains' life it spans, up to 1; less after its tip broke away.
+    reach: f32,
+    /// Where `reach` draws back to, while it does.
+    cut: Option<f32>,
+}
+
+/// One flame.
+#[derive(Debug)]
+pub(crate) struct Flame {
+    pub(crate) settings: FlameSettings,
+    pub(crate) roots: Roots,
+    seed: u64,
+    rng: Pcg,
+    tongues: Vec<Tongue>,
+    pub(crate) chains: Chains,
+    /// How far the eddies have risen, m.
+    drift_m: f64,
+    /// Spines of all tongues, M + 1 points each, and their lengths.
+    spines: Vec<Vec3>,
+    lengths: Vec<f32>,
+    row: Vec<Vec3>,
+    heights: Vec<f32>,
+    pub(crate) net: Vec<[f32; 3]>,
+    pub(crate) plan: Arc<SurfacePlan>,
+    pub(crate) free_plan: Arc<SurfacePlan>,
+    pub(crate) surface: Surface,
+    pub(crate) free: Vec<Free>,
+    pub(crate) body: Vec3,
+}
+
+impl Flame {
+    pub(crate) fn new(
+        settings: FlameSettings,
+        seed: u64,
+        mut plan: impl FnMut(PlanKey) -> Result<Arc<SurfacePlan>, FlameError>,
+    ) -> Result<Self, FlameError> {
+        settings.check()?;
+        let s = &settings.skeletons;
+        let roots = Roots::place(&settings.wick.centreline()?, s.slices, s.width_m);
+        let (leads, rows) = (roots.leads.len(), roots.peripherals.len());
+        let points = s.particles as usize + 1;
+        let grid = settings.surface;
+        let key = PlanKey {
+            rows,
+            columns: points + 2,
+            around: grid.around as usize,
+            up: grid.up as usize,
+            tip_softness: grid.tip_softness,
+        };
+        // Free flames are small: half the samples do.
+        let free_key = PlanKey {
+            rows: free::ROWS,
+            around: (key.around / 4 * 2).max(8),
+            up: (key.up / 2).max(6),
+            ..key
+        };
+        let mut rng = Pcg::new(seed);
+        let tongues = (0..leads).map(|_| Tongue { share: rng.next_unit(), reach: 1.0, cut: None }).collect();
+        let rest = roots.leads.iter().map(|l| l.position).chain(roots.peripherals.iter().map(|p| p.position));
+        let chains = Chains::new(rest.collect(), s.lead_life_s, s.width_m);
+        let pool = if s.shed_per_s > 0.0 { (2.0 * s.shed_per_s * s.free_life_s).ceil() as usize + 1 } else { 0 };
+        Ok(Self {
+            seed,
+            rng,
+            tongues,
+            chains,
+            drift_m: 0.0,
+            spines: vec![Vec3::ZERO; leads * points],
+            lengths: vec![0.0; leads * points],
+            row: vec![Vec3::ZERO; points],
+            heights: vec![0.0; points],
+            net: vec![[0.0; 3]; rows * (points + 2)],
+            plan: plan(key)?,
+            free_plan: plan(free_key)?,
+            surface: Surface::default(),
+            free: (0..pool.min(MAX_FREE)).map(|_| Free::new(points)).collect(),
+            body: blackbody_rgb(settings.shade.temperature_k),
+            settings,
+            roots,
+        })
+    }
+
+    /// Takes over what burned in `old`, where it has the same skeletons.
+    pub(crate) fn inherit(&mut self, old: &Self) {
+        if self.settings.wick == old.settings.wick && self.roots.leads.len() == old.roots.leads.len() {
+            self.chains = old.chains.clone();
+            self.chains.set_life(self.settings.skeletons.lead_life_s);
+            self.rng = old.rng.clone();
+            self.drift_m = old.drift_m;
+            self.tongues.clone_from(&old.tongues);
+        }
+    }
+
+    /// Moves the roots with the air and says what they do to it in the coming step.
+    pub(crate) fn sources(&mut self, air: &impl Air, time_s: f64, step: u64, out: &mut Vec<Source>) {
+        let s = &self.settings.skeletons;
+        let (leads, rows) = (&self.roots.leads, &self.roots.peripherals);
+        let rest = leads.iter().map(|l| (l.position, s.lead_sway_s));
+        let rest = rest.chain(rows.iter().map(|p| (p.position, s.peripheral_sway_s)));
+        let bounds = air.bounds();
+        for (root, (position, sway)) in self.chains.roots_mut().iter_mut().zip(rest) {
+            let moved = position + air.velocity(position) * Vec3::from(sway);
+            *root = crate::air::keep_inside(moved, bounds, position);
+        }
+        let fuel = &self.settings.fuel;
+        for (i, (lead, tongue)) in leads.iter().zip(&self.tongues).enumerate() {
+            // A point has no left and right: all of its fuel burns there.
+            let share = if leads.len() == 1 { 1.0 } else { fuel.distribution.value(lead.u, fuel.form, tongue.share) };
+            let acceleration = fuel.acceleration_m_s2(share, fuel.swing.value(time_s, step, self.seed, i as u32));
+            let beside = rows.iter().filter(|r| r.lead == i).count() as f32;
+            // Half of the drive acts at the lead root, half is shared out around it.
+            out.push(Source {
+                position: self.chains.root(i),
+                acceleration_m_s2: 0.5 * acceleration,
+                radius_m: s.width_m,
+                heat_k_s: fuel.heat_k_s * share,
+            });
+            for (r, _) in rows.iter().enumerate().filter(|(_, row)| row.lead == i) {
+                out.push(Source {
+                    position: self.chains.root(leads.len() + r),
+                    acceleration_m_s2: 0.5 * acceleration / beside,
+                    radius_m: s.width_m,
+                    heat_k_s: 0.0,
+                });
+            }
+        }
+    }
+
+    /// Emits, carries and retires particles; breaks and regrows tips.
+    pub(crate) fn step(&mut self, air: &impl Air, dt_s: f32) {
+        let s = &self.settings.skeletons;
+        let leads = self.roots.leads.len();
+        // The gas expands while it is young: outward speed v e^(-age / t), integrated exactly.
+        let t = 0.3 * s.peripheral_life_s;
+        let (life, size, drift) = (s.lead_life_s, s.turbulence_m, self.drift_m as f32);
+        let (rows, eddies) = (&self.roots.peripherals, hash(self.seed) as u32);
+        self.chains.step(air, dt_s, |k, age, point| {
+            let mut push = Vec3::ZERO;
+            if k >= leads && s.expansion_m_s > 0.0 {
+                let way = s.expansion_m_s * t * ((-age / t).exp() - (-(age + dt_s) / t).exp());
+                push += rows[k - leads].outward * way;
+            }
+            if s.turbulence_m_s > 0.0 {
+                // Anchored at the root, in full by half of the life. The eddies rise with the gas.
+                let ramp = (2.0 * age / life).min(1.0);
+                let at = (point - Vec3::Y * drift) / size;
+                let noise = noise_3d(eddies, at) + 0.5 * noise_3d(eddies ^ 1, at * 2.0);
+                push += noise * (s.turbulence_m_s * ramp * dt_s);
+            }
+            push
+        });
+        for free in &mut self.free {
+            free.step(air, dt_s);
+        }
+        self.trace_spines();
+        let points = self.row.len();
+        let lengths: f32 = (0..leads).map(|i| self.lengths[(i + 1) * points - 1] / self.tongues[i].reach).sum();
+        let rise = f64::from(lengths / leads as f32 / life);
+        self.drift_m = (self.drift_m + 0.7 * rise * f64::from(dt_s)) % (1024.0 * f64::from(size));
+        self.regrow(dt_s);
+        self.shed(dt_s);
+    }
+}

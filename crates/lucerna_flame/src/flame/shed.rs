@@ -1,0 +1,89 @@
+//! Tips that break away: a tongue is cut at half of its height or above, its upper part becomes a
+//! free flame at the same place, and what is left regrows more slowly than the gas rises.
+
+use super::Flame;
+use crate::free::{BREAK_S, ROWS};
+use crate::net::Spine;
+use glam::Vec3;
+
+/// How fast a broken tip regrows, as a share of the speed at which the gas itself rises.
+const REGROWTH: f32 = 0.6;
+
+impl Flame {
+    /// Draws cut tongues back, then lets them grow.
+    pub(super) fn regrow(&mut self, dt_s: f32) {
+        let rate = REGROWTH / self.settings.skeletons.lead_life_s;
+        for tongue in &mut self.tongues {
+            match tongue.cut {
+                Some(cut) => {
+                    tongue.reach -= (1.0 - cut) * dt_s / BREAK_S;
+                    if tongue.reach <= cut {
+                        (tongue.reach, tongue.cut) = (cut, None);
+                    }
+                }
+                None => tongue.reach = (tongue.reach + rate * dt_s).min(1.0),
+            }
+        }
+    }
+
+    /// Breaks a tip away, now and then: a Poisson process, so that its rate does not depend on the step.
+    pub(super) fn shed(&mut self, dt_s: f32) {
+        let s = &self.settings.skeletons;
+        if s.shed_per_s <= 0.0 {
+            return;
+        }
+        let (chance, pick, height) = (self.rng.next_unit(), self.rng.next_unit(), self.rng.next_unit());
+        if chance >= -(-s.shed_per_s * dt_s).exp_m1() {
+            return;
+        }
+        let lead = ((pick * self.tongues.len() as f32) as usize).min(self.tongues.len() - 1);
+        let points = self.row.len();
+        let tall = self.lengths[(lead + 1) * points - 1] > 4.0 * s.width_m;
+        let whole = self.tongues[lead].reach > 0.95 && self.tongues[lead].cut.is_none();
+        if tall && whole && self.free.iter().any(|f| !f.burning) {
+            self.build_net();
+            let cut = 0.5 + 0.4 * height;
+            self.tongues[lead].cut = Some(cut);
+            self.cut_off(lead, cut);
+        }
+    }
+
+    /// Makes a free flame of what lies above the share `cut` of a tongue.
+    fn cut_off(&mut self, lead: usize, cut: f32) {
+        let n = self.row.len();
+        let Some(free) = self.free.iter_mut().find(|f| !f.burning) else { return };
+        let range = lead * n..(lead + 1) * n;
+        let spine = Spine { points: &self.spines[range.clone()], lengths: &self.lengths[range] };
+        // Rows of the net hold their chain from the top downwards, between the two lead points.
+        let net = &self.net;
+        let chain = |row: usize, x: f32| {
+            let x = x.clamp(0.0, 1.0) * (n - 1) as f32;
+            let i = (x as usize).min(n - 2);
+            let at = |i: usize| Vec3::from(net[row * (n + 2) + n - i]);
+            at(i).lerp(at(i + 1), x - i as f32)
+        };
+        let leads = self.roots.leads.len();
+        let sides = if leads == 1 { [1, 3] } else { [lead + 1, 2 * leads + 1 - lead] };
+        let forward = self.roots.peripherals[sides[0]].outward.cross(Vec3::Y);
+        let bottom = spine.length_at(0.5 * (chain(sides[0], cut) + chain(sides[1], cut)));
+        let (middle, rows) = free.light(self.settings.skeletons.free_life_s).split_at_mut(n);
+        for k in 0..n {
+            let share = k as f32 / (n - 1) as f32;
+            let x = cut + (1.0 - cut) * share;
+            let centre = spine.at(bottom + (spine.total() - bottom) * share);
+            middle[k] = centre;
+            let around: [Vec3; ROWS] = if leads == 1 {
+                [0, 1, 2, 3].map(|row| chain(row, x))
+            } else {
+                // Two sides of the tongue, and as far along the wick; four points need the factor 1.5.
+                let (a, b) = (chain(sides[0], x), chain(sides[1], x));
+                let axis = 0.5 * (a + b);
+                let along = forward * (0.75 * a.distance(b));
+                [axis - along, axis + (a - axis) * 1.5, axis + along, axis + (b - axis) * 1.5]
+            };
+            for (r, point) in around.into_iter().enumerate() {
+                rows[r * n + k] = point;
+            }
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! All flames that burn in the same air, and what is drawn of them.
+
+use crate::air::Air;
+use crate::flame::{Flame, Source};
+use crate::light::{LIGHTS, add_lights};
+use crate::random::{Fnv, hash};
+use crate::surface::{PlanKey, SurfacePlan};
+use crate::{FlameError, FlameSettings};
+use lucerna_frame::{FlameDraw, FlameShade, FlameVertex, Light};
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// The most flames of one world.
+pub const MAX_FLAMES: usize = 4096;
+
+/// Flames that burn in the same air.
+///
+/// For every fixed step of the air: [`sources`](Self::sources) before it, [`step`](Self::step) after
+/// it; once a frame [`build`](Self::build), then read the slices.
+///
+/// ```
+/// use lucerna_flame::{FlameSettings, Flames, UniformAir, WickShape};
+///
+/// let wick = WickShape::Polyline { points: vec![[0.0; 3]], radius_m: 0.001 };
+/// let mut flames = Flames::new(vec![FlameSettings::new(wick)], 1)?;
+/// let up = UniformAir {
+///     velocity_m_s: [0.0, 0.4, 0.0].into(),
+///     low_m: [-1.0; 3].into(),
+///     high_m: [1.0; 3].into(),
+/// };
+/// for _ in 0..60 {
+///     flames.step(&up, 1.0 / 60.0);
+/// }
+/// flames.build();
+/// assert_eq!(flames.draws().len(), 1);
+/// assert!(flames.vertices().iter().any(|v| v.position[1] > 0.03));
+/// # Ok::<(), lucerna_flame::FlameError>(())
+/// ```
+#[derive(Debug, Default)]
+pub struct Flames {
+    pub(crate) flames: Vec<Flame>,
+    plans: Vec<(Arc<SurfacePlan>, u32)>,
+    seed: u64,
+    time_s: f64,
+    steps: u64,
+    sources: Vec<Source>,
+    vertices: Vec<FlameVertex>,
+    indices: Vec<u32>,
+    draws: Vec<FlameDraw>,
+    shades: Vec<FlameShade>,
+    lights: Vec<Light>,
+}
+
+impl Flames {
+    /// Lights flames. Everything random is drawn from `seed`.
+    ///
+    /// # Errors
+    /// When there are too many flames, or a setting is out of its range.
+    pub fn new(settings: Vec<FlameSettings>, seed: u64) -> Result<Self, FlameError> {
+        let mut flames = Self { seed, ..Self::default() };
+        if settings.len() > MAX_FLAMES {
+            return Err(FlameError::Count { field: "fires.wicks", count: settings.len(), allowed: "up to 4096" });
+        }
+        for (i, settings) in settings.into_iter().enumerate() {
+            let seed = hash(seed ^ hash(i as u64));
+            let flame = Flame::new(settings, seed, |key| flames.plan(key))?;
+            flames.flames.push(flame);
+        }
+        Ok(flames)
+    }
+
+    /// Changes the settings. Flames whose wick and skeletons stay the same go on burning.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); then nothing has changed.
+    pub fn set(&mut self, settings: Vec<FlameSettings>) -> Result<(), FlameError> {
+        let mut next = Self::new(settings, self.seed)?;
+        for (flame, old) in next.flames.iter_mut().zip(&self.flames) {
+            flame.inherit(old);
+        }
+        (next.time_s, next.steps) = (self.time_s, self.steps);
+        *self = next;
+        Ok(())
+    }
+
+    /// The plan for surfaces of a size, made once; its triangles go to the shared index buffer.
+    fn plan(&mut self, key: PlanKey) -> Result<Arc<SurfacePlan>, FlameError> {
+        if let Some((plan, _)) = self.plans.iter().find(|(plan, _)| plan.key == key) {
+            return Ok(Arc::clone(plan));
+        }
+        let plan = Arc::new(SurfacePlan::new(key)?);
+        self.plans.push((Arc::clone(&plan), self.indices.len() as u32));
+        self.indices.extend_from_slice(plan.indices());
+        Ok(plan)
+    }
+
+    /// Moves the roots with the air and says what they do to it in the coming step.
+    pub fn sources(&mut self, air: &impl Air) -> &[Source] {
+        self.sources.clear();
+        for flame in &mut self.flames {
+            flame.sources(air, self.time_s, self.steps, &mut self.sources);
+        }
+        &self.sources
+    }
+
+    /// Emits, carries and retires particles, after the air has made a step of `dt_s` seconds.
+    pub fn step(&mut self, air: &impl Air, dt_s: f32) {
+        self.flames.par_iter_mut().for_each(|flame| flame.step(air, dt_s));
+        self.time_s += f64::from(dt_s);
+        self.steps += 1;
+    }
+
+    /// Makes the surfaces and lights of this moment.
+    pub fn build(&mut self) {
+        self.flames.par_iter_mut().for_each(Flame::build);
+        self.vertices.clear();
+        self.draws.clear();
+        self.shades.clear();
+        self.lights.clear();
+        for flame in &self.flames {
+            for (surface, shade, free) in flame.surfaces() {
+                let plan = if free { &flame.free_plan } else { &flame.plan };
+                let start = self.plans.iter().find(|(p, _)| Arc::ptr_eq(p, plan)).map_or(0, |(_, start)| *start);
+                let (first, index) = (self.vertices.len(), self.draws.len() as u32);
+                self.vertices.extend(surface.vertices.iter().map(|v| FlameVertex { flame: index, ..*v }));
+                self.draws.push(FlameDraw {
+                    first_vertex: first as u32,
+                    vertex_count: surface.vertices.len() as u32,
+                    first_index: start,
+                    index_count: plan.indices().len() as u32,
+                });
+                self.shades.push(shade);
+                let count = if free { 1 } else { LIGHTS };
+                add_lights(surface, plan, &shade, flame.body, count, &mut self.lights);
+            }
+        }
+    }
+
+    /// Simulated time, s.
+    #[must_use]
+    pub fn time_s(&self) -> f64 {
+        self.time_s
+    }
+    /// The vertices of all surfaces, one after the other.
+    #[must_use]
+    pub fn vertices(&self) -> &[FlameVertex] {
+        &self.vertices
+    }
+    /// Triangle indices, relative to each flame's first vertex.
+    #[must_use]
+    pub fn indices(&self) -> &[u32] {
+        &self.indices
+    }
+    /// One entry for each surface: attached flames and free ones.
+    #[must_use]
+    pub fn draws(&self) -> &[FlameDraw] {
+        &self.draws
+    }
+    /// How each surface is shaded, in the order of [`draws`](Self::draws).
+    #[must_use]
+    pub fn shades(&self) -> &[FlameShade] {
+        &self.shades
+    }
+    /// Three lights for each attached flame, one for each free one; dark ones are left out.
+    #[must_use]
+    pub fn lights(&self) -> &[Light] {
+        &self.lights
+    }
+    /// A hash of all state that the next step depends on.
+    #[must_use]
+    pub fn state_hash(&self) -> u64 {
+        let mut fnv = Fnv::new();
+        fnv.word(self.seed);
+        fnv.word(self.time_s.to_bits());
+        fnv.word(self.steps);
+        self.flames.iter().for_each(|f| f.hash(&mut fnv));
+        fnv.0
+    }
+}

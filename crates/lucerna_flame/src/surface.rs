@@ -1,0 +1,143 @@
+//! From a control net to the vertices of a closed surface.
+
+use crate::FlameError;
+use glam::Vec3;
+use lucerna_frame::FlameVertex;
+use lucerna_nurbs::{Closure, GridOptions, GridPlan, KnotVector, Scratch};
+
+/// What determines a plan.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct PlanKey {
+    /// Rows of the net, around the flame.
+    pub(crate) rows: usize,
+    /// Columns of the net, from tip to root.
+    pub(crate) columns: usize,
+    pub(crate) around: usize,
+    pub(crate) up: usize,
+    pub(crate) tip_softness: f32,
+}
+
+/// Tables and triangles shared by all flames of a size.
+#[derive(Debug)]
+pub(crate) struct SurfacePlan {
+    pub(crate) key: PlanKey,
+    grid: GridPlan<f32>,
+    /// For each ring of vertices: the weights of the net's columns.
+    weights: Vec<f32>,
+    /// Both ends are points (one lead skeleton), not slits.
+    poles: bool,
+}
+
+impl SurfacePlan {
+    pub(crate) fn new(key: PlanKey) -> Result<Self, FlameError> {
+        let around = KnotVector::periodic(3, key.rows)?;
+        let spans = key.columns - 3;
+        let inner: Vec<f32> = (1..spans)
+            .map(|i| (i as f32 + if i == 1 && spans > 2 { key.tip_softness } else { 0.0 }) / spans as f32)
+            .collect();
+        let along = KnotVector::clamped(3, &inner)?;
+        let poles = key.rows == 4;
+        let options = GridOptions {
+            columns: key.around,
+            rows: key.up,
+            closure_u: Closure::Periodic { start_row: 0 },
+            pole_v_min: poles,
+            pole_v_max: poles,
+            ..GridOptions::default()
+        };
+        let grid = GridPlan::new(&around, &along, options)?;
+        let mut weights = vec![0.0; (key.up + 1) * key.columns];
+        for ring in 0..=key.up {
+            let basis = along.basis_functions(ring as f32 / key.up as f32)?;
+            let row = &mut weights[ring * key.columns + basis.first()..];
+            for (to, from) in row.iter_mut().zip(basis.derivative(0).unwrap_or(&[])) {
+                *to = *from;
+            }
+        }
+        Ok(Self { key, grid, weights, poles })
+    }
+
+    pub(crate) fn vertex_count(&self) -> usize {
+        self.grid.vertex_count()
+    }
+    pub(crate) fn indices(&self) -> &[u32] {
+        self.grid.indices()
+    }
+    /// The vertices of ring 0 (tip) to `up` (root); all but a pole's repeat their first at the end.
+    pub(crate) fn ring(&self, ring: usize) -> std::ops::Range<usize> {
+        let width = self.key.around + 1;
+        if !self.poles {
+            return ring * width..(ring + 1) * width;
+        }
+        let start = (ring * width).saturating_sub(1);
+        let pole = ring == 0 || ring == self.key.up;
+        start..start + width - usize::from(pole)
+    }
+}
+
+/// Vertices and memory of one surface.
+#[derive(Debug, Default)]
+pub(crate) struct Surface {
+    pub(crate) vertices: Vec<FlameVertex>,
+    /// Per ring: height, half thickness.
+    pub(crate) rings: Vec<[f32; 2]>,
+    scratch: Scratch<f32>,
+    columns: Vec<f32>,
+}
+
+impl Surface {
+    /// Fills the vertices from a net of `rows` x `columns` control points.
+    pub(crate) fn build(&mut self, plan: &SurfacePlan, net: &[[f32; 3]]) {
+        self.vertices.resize(plan.vertex_count(), FlameVertex::default());
+        self.rings.resize(plan.key.up + 1, [0.0; 2]);
+        let vertices = &mut self.vertices;
+        // Nets are finite and of the plan's size, so this does not fail; if it did, the last surface would stay.
+        let _ = plan.grid.evaluate(net, None, &mut self.scratch, |i, v| {
+            vertices[i].position = v.position;
+            vertices[i].normal = v.normal;
+            vertices[i].uv = [v.u, 1.0 - v.v];
+        });
+        self.measure_columns(plan, net);
+        for ring in 0..=plan.key.up {
+            let range = plan.ring(ring);
+            let weights = &plan.weights[ring * plan.key.columns..][..plan.key.columns];
+            let height: f32 = weights.iter().zip(&self.columns).map(|(w, h)| w * h).sum();
+            let height = height.clamp(0.0, 1.0);
+            let radius = half_thickness(&self.vertices[range.clone()]);
+            self.rings[ring] = [height, radius];
+            for vertex in &mut self.vertices[range] {
+                vertex.height = height;
+                vertex.radius_m = radius;
+            }
+        }
+    }
+
+    /// The mean length from the root up to each column of the net, as a fraction of the whole.
+    fn measure_columns(&mut self, plan: &SurfacePlan, net: &[[f32; 3]]) {
+        let n = plan.key.columns;
+        self.columns.resize(n, 0.0);
+        self.columns.fill(0.0);
+        // From the peripheral root (column n - 2) up to the tip (column 0).
+        for row in net.chunks_exact(n) {
+            for c in 0..n - 2 {
+                self.columns[c] += Vec3::from(row[c]).distance(Vec3::from(row[c + 1]));
+            }
+        }
+        for c in (0..n - 2).rev() {
+            self.columns[c] += self.columns[c + 1];
+        }
+        let total = self.columns[0].max(1e-12);
+        self.columns.iter_mut().for_each(|h| *h /= total);
+    }
+}
+
+/// Half the distance between the two sides of a ring: vertex i mirrors vertex n - i about the wick.
+fn half_thickness(ring: &[FlameVertex]) -> f32 {
+    let last = ring.len() - 1;
+    let mut widest = 0.0_f32;
+    for i in 1..=last / 2 {
+        let (a, b) = (Vec3::from(ring[i].position), Vec3::from(ring[last - i].position));
+        widest = widest.max(a.distance_squared(b));
+    }
+    (0.5 * widest.sqrt()).max(1e-5)
+}
