@@ -1,0 +1,272 @@
+//! The command line: what can be said, its limits and its defaults.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use lucerna::frame::Shading;
+use std::path::PathBuf;
+
+/// Smallest and largest side of a picture in pixels.
+pub const SIDE_PX: std::ops::RangeInclusive<u32> = 16..=8192;
+/// Fewest and most frames of a run.
+pub const FRAMES: std::ops::RangeInclusive<u32> = 1..=100_000;
+/// Lowest and highest rate in frames per second.
+pub const FPS: std::ops::RangeInclusive<f64> = 1.0..=1000.0;
+/// Shortest and longest time in seconds that is simulated before the first frame.
+pub const WARMUP_S: std::ops::RangeInclusive<f64> = 0.0..=600.0;
+
+/// Real fire: look at it in a window or record it.
+#[derive(Debug, Parser)]
+#[command(name = "lucerna", version, args_conflicts_with_subcommands = true)]
+pub struct ProgramArgs {
+    /// What to do; without it, the scenes and commands are listed.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+}
+
+/// The commands of the program.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Opens a window with a panel for every parameter.
+    View {
+        /// A built-in scene or the path of a scene file.
+        scene: String,
+        /// Changes to the scene.
+        #[command(flatten)]
+        changes: SceneArgs,
+        /// How the window behaves.
+        #[command(flatten)]
+        window: WindowArgs,
+        /// Size of the window in points [default: 1280x800].
+        #[arg(long, value_name = "WxH", value_parser = parse_size)]
+        size: Option<[u32; 2]>,
+    },
+    /// Draws without a window into a PNG, an animated GIF or a folder of PNGs.
+    Render {
+        /// A built-in scene or the path of a scene file.
+        scene: String,
+        /// Changes to the scene.
+        #[command(flatten)]
+        changes: SceneArgs,
+        /// What is recorded.
+        #[command(flatten)]
+        record: RecordArgs,
+        /// Accepted for symmetry with the examples: `render` never opens a window.
+        #[arg(long)]
+        headless: bool,
+    },
+}
+
+/// The command line of an example: its scene is fixed, the rest is that of `view` and `render`.
+#[derive(Debug, Parser)]
+pub struct ExampleArgs {
+    /// Draw without a window; --out, --report and --frames imply it.
+    #[arg(long)]
+    pub headless: bool,
+    /// Changes to the scene.
+    #[command(flatten)]
+    pub changes: SceneArgs,
+    /// What is recorded.
+    #[command(flatten)]
+    pub record: RecordArgs,
+    /// How the window behaves.
+    #[command(flatten)]
+    pub window: WindowArgs,
+}
+
+impl ExampleArgs {
+    /// Whether the run needs no window: asked for, or implied by what is recorded.
+    #[must_use]
+    pub fn runs_headless(&self) -> bool {
+        self.headless || self.record.out.is_some() || self.record.report.is_some() || self.record.frames.is_some()
+    }
+}
+
+/// Changes to a scene before it burns.
+#[derive(Args, Clone, Debug, Default)]
+pub struct SceneArgs {
+    /// Apply a preset to the scene (a bare `lucerna` lists them).
+    #[arg(long, value_name = "NAME")]
+    pub preset: Option<String>,
+    /// Everything random is drawn from it.
+    #[arg(long, value_name = "S")]
+    pub seed: Option<u64>,
+    /// What a flame's pixels are made from.
+    #[arg(long, value_enum)]
+    pub shading: Option<ShadingArg>,
+    /// Depth layers that are peeled, 1 to 32.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=32))]
+    pub layers: Option<u32>,
+}
+
+/// What is recorded and how.
+#[derive(Args, Clone, Debug, Default)]
+pub struct RecordArgs {
+    /// Number of frames, 1 to 100000 [default: 1; a .gif: five seconds].
+    #[arg(long, value_name = "N", value_parser = parse_frames)]
+    pub frames: Option<u32>,
+    /// Frames per second of simulated time, 1 to 1000 [default: 30; a .gif: 20].
+    #[arg(long, value_name = "F", value_parser = parse_fps)]
+    pub fps: Option<f64>,
+    /// Size of the picture in pixels, 16x16 to 8192x8192 [default: 960x720].
+    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    pub size: Option<[u32; 2]>,
+    /// Seconds simulated before the first frame, so that the fire burns, 0 to 600.
+    #[arg(long, value_name = "SECONDS", default_value = "2", value_parser = parse_warmup)]
+    pub warmup: f64,
+    /// Where to: a .png (the last frame), a .gif (an animation) or a folder (numbered PNGs).
+    #[arg(long, value_name = "PATH")]
+    pub out: Option<PathBuf>,
+    /// Measure the run and write what was measured as JSON.
+    #[arg(long, value_name = "FILE.json")]
+    pub report: Option<PathBuf>,
+}
+
+/// How the window behaves.
+#[derive(Args, Clone, Debug, Default)]
+pub struct WindowArgs {
+    /// Save a picture of the whole window when it closes through --exit-after.
+    #[arg(long, value_name = "PATH", requires = "exit_after")]
+    pub screenshot: Option<PathBuf>,
+    /// Close the window after this many seconds, 0 to 86400.
+    #[arg(long, value_name = "SECONDS", value_parser = parse_exit_after)]
+    pub exit_after: Option<f64>,
+}
+
+/// `--shading`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ShadingArg {
+    /// A texture on the surface, layers added.
+    Shell,
+    /// Light emitted along the part of the ray inside each flame.
+    Volume,
+}
+
+impl From<ShadingArg> for Shading {
+    fn from(arg: ShadingArg) -> Self {
+        match arg {
+            ShadingArg::Shell => Self::Shell,
+            ShadingArg::Volume => Self::Volume,
+        }
+    }
+}
+
+fn parse_size(text: &str) -> Result<[u32; 2], String> {
+    let wrong = || format!("a size is written WIDTHxHEIGHT, such as 960x720, not \"{text}\"");
+    let (width, height) = text.split_once(['x', 'X']).ok_or_else(wrong)?;
+    let size = [width.parse::<u32>().map_err(|_| wrong())?, height.parse::<u32>().map_err(|_| wrong())?];
+    if size.iter().all(|side| SIDE_PX.contains(side)) {
+        Ok(size)
+    } else {
+        Err(format!("a size is 16x16 to 8192x8192, not {text}"))
+    }
+}
+
+fn parse_frames(text: &str) -> Result<u32, String> {
+    match text.parse::<u32>() {
+        Ok(frames) if FRAMES.contains(&frames) => Ok(frames),
+        _ => Err("the number of frames is 1 to 100000".into()),
+    }
+}
+
+fn parse_number(text: &str, range: &std::ops::RangeInclusive<f64>, what: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if range.contains(&value) => Ok(value),
+        _ => Err(format!("{what} is {} to {}", range.start(), range.end())),
+    }
+}
+
+fn parse_fps(text: &str) -> Result<f64, String> {
+    parse_number(text, &FPS, "the number of frames per second")
+}
+
+fn parse_warmup(text: &str) -> Result<f64, String> {
+    parse_number(text, &WARMUP_S, "the warm-up in seconds")
+}
+
+fn parse_exit_after(text: &str) -> Result<f64, String> {
+    parse_number(text, &(0.0..=86_400.0), "the time in seconds")
+}
+
+/// A message of clap as one line: the paragraphs about usage and help are left out.
+#[must_use]
+pub fn one_line(error: &clap::Error) -> String {
+    let text = error.to_string();
+    let words: Vec<&str> = text.split("\n\n").next().unwrap_or_default().split_whitespace().collect();
+    words.join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn program(line: &str) -> Result<ProgramArgs, clap::Error> {
+        ProgramArgs::try_parse_from(line.split_whitespace())
+    }
+
+    #[test]
+    fn command_lines_are_consistent() {
+        use clap::CommandFactory;
+        ProgramArgs::command().debug_assert();
+        ExampleArgs::command().debug_assert();
+    }
+
+    #[test]
+    fn render_understands_every_option() {
+        let line = "lucerna render torch --headless --frames 200 --fps 20 --size 480x360 --seed 7 --out a.gif \
+                    --report r.json --preset paper --shading shell --layers 4 --warmup 1.5";
+        let Some(Command::Render { scene, changes, record, headless }) = program(line).unwrap().command else {
+            panic!("not a render command");
+        };
+        assert!(headless && scene == "torch");
+        assert_eq!((changes.seed, changes.layers, changes.shading), (Some(7), Some(4), Some(ShadingArg::Shell)));
+        assert_eq!((record.frames, record.fps, record.size), (Some(200), Some(20.0), Some([480, 360])));
+        assert_eq!(record.warmup, 1.5);
+    }
+
+    #[test]
+    fn limits_are_checked() {
+        for bad in [
+            "--size 15x720",
+            "--size 960x8193",
+            "--size 960",
+            "--size 0x0",
+            "--size -1x5",
+            "--size 9999999999x9",
+            "--frames 0",
+            "--frames 100001",
+            "--frames 1.5",
+            "--fps 0",
+            "--fps 1001",
+            "--fps nan",
+            "--warmup -1",
+            "--warmup inf",
+            "--layers 0",
+            "--layers 33",
+            "--shading flat",
+            "--seed -1",
+            "--unknown",
+        ] {
+            assert!(program(&format!("lucerna render candle {bad}")).is_err(), "{bad} was accepted");
+        }
+        for good in ["--size 16x8192", "--frames 100000", "--fps 1000", "--fps 23.976", "--warmup 0", "--layers 32"] {
+            assert!(program(&format!("lucerna render candle {good}")).is_ok(), "{good} was refused");
+        }
+    }
+
+    #[test]
+    fn errors_fit_in_one_line() {
+        for bad in ["lucerna render", "lucerna render x --size 1x1", "lucerna burn", "lucerna view a --screenshot b.png"] {
+            let line = one_line(&program(bad).unwrap_err());
+            assert!(line.starts_with("error: ") && !line.contains('\n') && !line.contains("Usage"), "{line}");
+        }
+    }
+
+    #[test]
+    fn recording_implies_headless() {
+        let example = |line: &str| ExampleArgs::try_parse_from(line.split_whitespace()).unwrap().runs_headless();
+        assert!(!example("candle"));
+        assert!(!example("candle --seed 3 --size 640x480"));
+        assert!(example("candle --headless"));
+        assert!(example("candle --out a.png"));
+        assert!(example("candle --report a.json"));
+    }
+}

@@ -1,0 +1,281 @@
+//! A run without a window: steps the world, draws, records and measures.
+
+use crate::cli::{RecordArgs, SceneArgs};
+use crate::gpu::{Gpu, TARGET_FORMAT, Target};
+use crate::progress::Progress;
+use crate::record::{self, Output, Recorder};
+use crate::report::{self, Counts, Report, Timings};
+use anyhow::{Context, Result};
+use lucerna::render::{FireRenderer, Stage};
+use lucerna::scene::LoadedScene;
+use lucerna::{StageTimes, World};
+use std::path::PathBuf;
+use std::time::Instant;
+
+/// Size of a picture where none is given.
+const SIZE_PX: [u32; 2] = [960, 720];
+/// Length of an animation where none is given.
+const ANIMATION_S: f64 = 5.0;
+/// Frames of a measured run in which layers are counted.
+const COUNTED_FRAMES: u32 = 20;
+/// Longest time that the world is asked to step at once, so that no step is ever dropped.
+const SLICE_S: f64 = 1.0 / 30.0;
+
+/// A run with everything decided.
+#[derive(Clone, Debug)]
+pub struct Job {
+    /// What burns.
+    pub scene: LoadedScene,
+    /// The preset that was applied, for the report.
+    pub preset: Option<String>,
+    /// Number of frames, 1 or more.
+    pub frames: u32,
+    /// Frames per second of simulated time.
+    pub fps: f64,
+    /// Width and height.
+    pub size_px: [u32; 2],
+    /// Seconds simulated before the first frame.
+    pub warmup_s: f64,
+    /// Where the pictures go.
+    pub output: Option<Output>,
+    /// Where the report goes; without it nothing is measured.
+    pub report: Option<PathBuf>,
+}
+
+impl Job {
+    /// Fills in the defaults. Without an output and a report, `default_out` is written.
+    pub fn new(scene: LoadedScene, changes: &SceneArgs, args: &RecordArgs, default_out: PathBuf) -> Result<Self> {
+        let output = match (&args.out, &args.report) {
+            (Some(path), _) => Some(Output::new(path)?),
+            (None, Some(_)) => None,
+            (None, None) => Some(Output::Png(default_out)),
+        };
+        let animated = matches!(output, Some(Output::Gif(_)));
+        let fps = args.fps.unwrap_or(if animated { 20.0 } else { 30.0 });
+        let frames = args.frames.unwrap_or(if animated { (ANIMATION_S * fps).ceil() as u32 } else { 1 });
+        Ok(Self {
+            scene,
+            preset: changes.preset.clone(),
+            frames,
+            fps,
+            size_px: args.size.unwrap_or(SIZE_PX),
+            warmup_s: args.warmup,
+            output,
+            report: args.report.clone(),
+        })
+    }
+}
+
+/// Runs a job and says in words what was written, one line a file.
+pub fn run(job: &Job) -> Result<Vec<String>> {
+    let mut recorder = match &job.output {
+        Some(output) => {
+            // First of all what is cheap and can fail.
+            let recorder = Recorder::new(output.clone(), job.size_px, job.frames, job.fps)?;
+            output.prepare()?;
+            Some(recorder)
+        }
+        None => None,
+    };
+    if let Some(path) = &job.report {
+        record::check_file(path)?;
+    }
+    let mut run = Run::new(job)?;
+    run.warm_up()?;
+    let mut progress = Progress::new("frame", u64::from(job.frames));
+    for frame in 0..job.frames {
+        run.frame(frame)?;
+        if let Some(recorder) = &mut recorder {
+            if recorder.wants_next() {
+                run.target.read(&run.gpu, &mut run.rgb)?;
+                recorder.push(&run.rgb)?;
+            } else {
+                recorder.skip();
+            }
+        }
+        progress.set(u64::from(frame) + 1);
+    }
+    drop(progress);
+    let mut written = Vec::new();
+    if let Some(recorder) = recorder {
+        written.push(recorder.finish()?);
+    }
+    if let Some(path) = &job.report {
+        let json = serde_json::to_string_pretty(&run.report()).context("the report cannot be written as JSON")?;
+        std::fs::write(path, json + "\n").with_context(|| format!("cannot write {}", path.display()))?;
+        written.push(format!("wrote {}", path.display()));
+    }
+    Ok(written)
+}
+
+/// A run under way. Everything that is used for every frame is made once.
+struct Run<'a> {
+    job: &'a Job,
+    gpu: Gpu,
+    target: Target,
+    renderer: FireRenderer,
+    world: World,
+    timings: Timings,
+    counts: Counts,
+    rgb: Vec<u8>,
+}
+
+impl<'a> Run<'a> {
+    fn new(job: &'a Job) -> Result<Self> {
+        let gpu = Gpu::open()?;
+        let target = Target::new(&gpu, job.size_px)?;
+        let renderer = FireRenderer::new(&gpu.device, &gpu.queue, TARGET_FORMAT);
+        gpu.check()?;
+        let world = World::new(job.scene.clone())?;
+        let (timings, counts) = (Timings::default(), Counts::default());
+        Ok(Self { job, gpu, target, renderer, world, timings, counts, rgb: Vec::new() })
+    }
+
+    fn measured(&self) -> bool {
+        self.job.report.is_some()
+    }
+
+    /// Lets the fire grow, and draws once where the first frame's time counts.
+    fn warm_up(&mut self) -> Result<()> {
+        let slices = slices(self.job.warmup_s);
+        let mut progress = Progress::new("warming up", u64::from(slices));
+        for slice in 0..slices {
+            self.step((self.job.warmup_s / f64::from(slices)) as f32)?;
+            progress.set(u64::from(slice) + 1);
+        }
+        if self.measured() {
+            self.prepare()?;
+            self.render()?;
+        }
+        Ok(())
+    }
+
+    fn step(&mut self, dt_s: f32) -> Result<StageTimes> {
+        let step = self.world.step(dt_s)?;
+        self.counts.push_step(&step);
+        Ok(step.times)
+    }
+
+    /// Steps and draws one frame.
+    fn frame(&mut self, frame: u32) -> Result<()> {
+        let started = Instant::now();
+        let dt_s = 1.0 / self.job.fps;
+        let slices = slices(dt_s);
+        let mut times = StageTimes::default();
+        for _ in 0..slices {
+            let slice = self.step((dt_s / f64::from(slices)) as f32)?;
+            times.fluid_ms += slice.fluid_ms;
+            times.skeletons_ms += slice.skeletons_ms;
+            times.nurbs_ms += slice.nurbs_ms;
+        }
+        if self.measured() {
+            self.draw_measured(started, &times)?;
+            let every = self.job.frames.div_ceil(COUNTED_FRAMES);
+            if frame.is_multiple_of(every) || frame + 1 == self.job.frames {
+                self.count_layers()?;
+            }
+        } else {
+            self.prepare()?;
+            self.render()?;
+        }
+        self.counts.triangles = self.counts.triangles.max(report::triangles(&self.world.frame()));
+        Ok(())
+    }
+
+    fn prepare(&mut self) -> Result<()> {
+        let scene = &self.world.scene().scene;
+        let (gpu, frame) = (&self.gpu, self.world.frame());
+        self.renderer.prepare(&gpu.device, &gpu.queue, self.job.size_px, &frame, &scene.camera, &scene.look)?;
+        Ok(())
+    }
+
+    fn render(&self) -> Result<()> {
+        let mut encoder = self.gpu.encoder();
+        self.renderer.render(&mut encoder, &self.target.view);
+        self.gpu.submit(encoder);
+        self.gpu.wait()
+    }
+
+    /// Draws stage by stage and waits after each.
+    fn draw_measured(&mut self, started: Instant, times: &StageTimes) -> Result<()> {
+        let upload = Instant::now();
+        self.prepare()?;
+        self.gpu.submit(self.gpu.encoder());
+        self.gpu.wait()?;
+        let upload_ms = milliseconds(upload);
+        let mut stages_ms = [0.0; Stage::ALL.len()];
+        for (stage, ms) in Stage::ALL.into_iter().zip(&mut stages_ms) {
+            let began = Instant::now();
+            let mut encoder = self.gpu.encoder();
+            self.renderer.record(stage, &mut encoder, &self.target.view);
+            self.gpu.submit(encoder);
+            self.gpu.wait()?;
+            *ms = milliseconds(began);
+        }
+        self.timings.push_world(times);
+        self.timings.push_gpu(upload_ms, stages_ms, milliseconds(started));
+        Ok(())
+    }
+
+    /// Draws the frame once more, untimed, with layers counted; then once as before, so that the next timed frame
+    /// finds everything in place.
+    fn count_layers(&mut self) -> Result<()> {
+        self.renderer.set_statistics(true);
+        self.prepare()?;
+        self.render()?;
+        self.counts.push_layers(self.renderer.read_statistics(&self.gpu.device, &self.gpu.queue)?);
+        self.renderer.set_statistics(false);
+        self.prepare()?;
+        self.render()
+    }
+
+    fn report(&self) -> Report {
+        let job = self.job;
+        let scene = &job.scene.scene;
+        let stages_ms = self.timings.summary();
+        let frame_ms = stages_ms.frame.median;
+        Report {
+            scene: scene.name.clone(),
+            preset: job.preset.clone(),
+            seed: scene.seed,
+            frames: job.frames,
+            fps: if frame_ms > 0.0 { (1e5 / frame_ms).round() / 100.0 } else { 0.0 },
+            animation_fps: job.fps,
+            warmup_s: job.warmup_s,
+            size: job.size_px,
+            shading: scene.look.shading,
+            layers_peeled: scene.look.layers,
+            adapter: self.gpu.adapter.clone(),
+            state_hash: format!("{:016x}", self.world.state_hash()),
+            triangles: self.counts.triangles,
+            layers: self.counts.gpu.layers,
+            open_intervals: self.counts.gpu.open_intervals,
+            frames_counted: self.counts.counted,
+            divergence_max: f64::from(self.counts.divergence),
+            steps: self.counts.steps,
+            dropped_steps: self.counts.dropped,
+            gpu_timing: "submit-and-wait per stage",
+            stages_ms,
+        }
+    }
+}
+
+/// Number of calls of the world that a time is cut into.
+fn slices(time_s: f64) -> u32 {
+    // A hair more than a slice is still one: 1/30 is not exact.
+    (time_s / SLICE_S - 1e-6).ceil().max(0.0) as u32
+}
+
+fn milliseconds(since: Instant) -> f64 {
+    since.elapsed().as_secs_f64() * 1e3
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_are_cut_into_slices_that_drop_nothing() {
+        assert_eq!([0.0, 1.0 / 1000.0, 1.0 / 30.0, 1.0 / 20.0, 1.0, 2.0].map(slices), [0, 1, 1, 2, 30, 60]);
+    }
+}

@@ -1,0 +1,52 @@
+//! Scenes by name or path, and the changes that the command line or the panel make to them.
+
+use crate::cli::SceneArgs;
+use anyhow::Result;
+use lucerna::frame::Shading;
+use lucerna::scene::{LoadedScene, Scene};
+use std::path::{Path, PathBuf};
+
+/// Opens a scene and changes it: first `adjust`, then the preset, then what the command line names.
+pub fn open(name_or_path: &str, changes: &SceneArgs, adjust: impl FnOnce(&mut Scene)) -> Result<LoadedScene> {
+    let mut loaded = lucerna::scene::open(name_or_path)?;
+    adjust(&mut loaded.scene);
+    if let Some(preset) = &changes.preset {
+        lucerna::scene::apply_preset(&mut loaded.scene, preset)?;
+    }
+    let scene = &mut loaded.scene;
+    scene.seed = changes.seed.unwrap_or(scene.seed);
+    scene.look.shading = changes.shading.map_or(scene.look.shading, Shading::from);
+    scene.look.layers = changes.layers.unwrap_or(scene.look.layers);
+    Ok(LoadedScene::from_scene(loaded.scene, &base_dir(name_or_path))?)
+}
+
+/// The folder that the files of a scene are relative to; built-in scenes bring their own.
+#[must_use]
+pub fn base_dir(name_or_path: &str) -> PathBuf {
+    if is_builtin(name_or_path) {
+        return PathBuf::new();
+    }
+    Path::new(name_or_path).parent().map(Path::to_path_buf).unwrap_or_default()
+}
+
+/// Whether a scene comes with the library.
+#[must_use]
+pub fn is_builtin(name: &str) -> bool {
+    lucerna::scene::builtin_names().contains(&name)
+}
+
+/// The loaded scene with other parameters, checked. Files are read again only where wicks or meshes changed.
+pub fn with_parameters(loaded: &LoadedScene, scene: Scene, base_dir: &Path) -> Result<LoadedScene> {
+    let wicks = |scene: &Scene| scene.fires.iter().map(|fire| fire.wicks.clone()).collect::<Vec<_>>();
+    if scene.meshes != loaded.scene.meshes || wicks(&scene) != wicks(&loaded.scene) {
+        return Ok(LoadedScene::from_scene(scene, base_dir)?);
+    }
+    lucerna::scene::validate(&scene)?;
+    Ok(LoadedScene { scene, wicks: loaded.wicks.clone(), meshes: loaded.meshes.clone() })
+}
+
+/// Whether two scenes differ in what burns, rather than only in how it is looked at.
+#[must_use]
+pub fn burn_alike(a: &Scene, b: &Scene) -> bool {
+    (a.seed, &a.air, &a.fires, &a.meshes) == (b.seed, &b.air, &b.fires, &b.meshes)
+}
