@@ -1,0 +1,53 @@
+//! The scenes that come with the crate, embedded so that they work from anywhere.
+
+use crate::{LoadedScene, SceneError};
+use std::path::Path;
+
+macro_rules! embedded {
+    ($($name:literal),+ $(,)?) => {
+        /// Every file of the built-in scenes.
+        const FILES: &[(&str, &[u8])] = &[$(($name, include_bytes!(concat!("../scenes/", $name)))),+];
+    };
+}
+
+embedded!(
+    "candle.ron",
+    "candle.mtl",
+    "candle.obj",
+    "candle_table.obj",
+    "torch.ron",
+    "torch.mtl",
+    "torch.obj",
+    "torch_wall.obj",
+    "campfire.ron",
+    "campfire.mtl",
+    "campfire_logs.obj",
+    "campfire_stones.obj",
+    "campfire_coals.obj",
+    "campfire_ground.obj",
+);
+
+const NAMES: &[&str] = &["candle", "torch", "campfire"];
+
+/// The names of the built-in scenes.
+#[must_use]
+pub fn builtin_names() -> &'static [&'static str] {
+    NAMES
+}
+
+/// A built-in scene.
+///
+/// # Errors
+///
+/// [`SceneError::Unknown`] where there is no scene of that name.
+pub fn builtin(name: &str) -> Result<LoadedScene, SceneError> {
+    if !NAMES.contains(&name) {
+        return Err(SceneError::Unknown { kind: "scene", name: name.to_owned(), allowed: NAMES.join(", ") });
+    }
+    crate::load::load(Path::new(&format!("{}{name}.ron", crate::assets::BUILTIN_PREFIX)))
+}
+
+/// An embedded file.
+pub(crate) fn file(name: &str) -> Option<&'static [u8]> {
+    FILES.iter().find(|(known, _)| *known == name).map(|(_, bytes)| *bytes)
+}

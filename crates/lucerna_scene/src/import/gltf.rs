@@ -1,0 +1,150 @@
+//! Meshes and wicks from glTF and GLB files; images are not read.
+
+use super::gltf_data::Buffers;
+use super::{RawMesh, WickPart, check_size};
+use crate::SceneError;
+use glam::{Mat3, Mat4, Vec3};
+use gltf::mesh::Mode;
+use gltf::{Document, Gltf, Node, Primitive, Semantic};
+use lucerna_frame::MeshVertex;
+use std::path::Path;
+
+/// Reads the triangles of all nodes of the scene.
+pub(super) fn mesh(path: &Path, bytes: &[u8]) -> Result<RawMesh, SceneError> {
+    let (document, buffers) = open(path, bytes)?;
+    let mut raw = RawMesh::default();
+    for (node, world) in placed_nodes(&document, &buffers)? {
+        for primitive in node.mesh().iter().flat_map(gltf::Mesh::primitives) {
+            append(&mut raw, &primitive, world, &buffers)?;
+            check_size(path, raw.vertices.len(), raw.triangles.len())?;
+        }
+    }
+    Ok(raw)
+}
+
+/// Reads the vertices of all nodes, one part a node.
+pub(super) fn wicks(path: &Path, bytes: &[u8]) -> Result<Vec<WickPart>, SceneError> {
+    let (document, buffers) = open(path, bytes)?;
+    let mut parts = Vec::new();
+    let mut count = 0;
+    for (node, world) in placed_nodes(&document, &buffers)? {
+        let Some(mesh) = node.mesh() else { continue };
+        let name = node.name().or(mesh.name()).unwrap_or_default().to_owned();
+        let mut vertices = Vec::new();
+        for primitive in mesh.primitives() {
+            vertices.extend(positions(&primitive, world, &buffers)?);
+            check_size(path, count + vertices.len(), 0)?;
+        }
+        count += vertices.len();
+        parts.push(WickPart { name, vertices });
+    }
+    Ok(parts)
+}
+
+fn open<'a>(path: &'a Path, bytes: &[u8]) -> Result<(Document, Buffers<'a>), SceneError> {
+    let gltf = Gltf::from_slice(bytes)
+        .map_err(|error| SceneError::mesh(path, None, format!("is not a glTF file: {error}")))?;
+    let buffers = Buffers::read(path, &gltf.document, gltf.blob)?;
+    Ok((gltf.document, buffers))
+}
+
+/// The nodes of the scene with their transforms to world space. Nodes form trees: one that is met twice is a
+/// fault.
+fn placed_nodes<'a>(document: &'a Document, buffers: &Buffers<'_>) -> Result<Vec<(Node<'a>, Mat4)>, SceneError> {
+    let scene = document.default_scene().or_else(|| document.scenes().next());
+    let mut waiting: Vec<(Node<'a>, Mat4)> = match scene {
+        Some(scene) => scene.nodes().map(|node| (node, Mat4::IDENTITY)).collect(),
+        None => roots(document).into_iter().map(|node| (node, Mat4::IDENTITY)).collect(),
+    };
+    let mut met = vec![false; document.nodes().len()];
+    let mut placed = Vec::new();
+    while let Some((node, parent)) = waiting.pop() {
+        if std::mem::replace(&mut met[node.index()], true) {
+            return Err(buffers.fault(format!("its node {} has more than one parent", node.index())));
+        }
+        let world = parent * Mat4::from_cols_array_2d(&node.transform().matrix());
+        if !world.is_finite() {
+            return Err(buffers.fault(format!("its node {} has a transform that is not finite", node.index())));
+        }
+        waiting.extend(node.children().map(|child| (child, world)));
+        placed.push((node, world));
+    }
+    Ok(placed)
+}
+
+fn roots(document: &Document) -> Vec<Node<'_>> {
+    let mut is_child = vec![false; document.nodes().len()];
+    for child in document.nodes().flat_map(|node| node.children().collect::<Vec<_>>()) {
+        is_child[child.index()] = true;
+    }
+    document.nodes().filter(|node| !is_child[node.index()]).collect()
+}
+
+fn positions(primitive: &Primitive<'_>, world: Mat4, buffers: &Buffers<'_>) -> Result<Vec<[f32; 3]>, SceneError> {
+    let Some(accessor) = primitive.get(&Semantic::Positions) else { return Ok(Vec::new()) };
+    let mut positions = buffers.vectors(&accessor)?;
+    for position in &mut positions {
+        *position = world.transform_point3(Vec3::from(*position)).into();
+    }
+    Ok(positions)
+}
+
+fn append(raw: &mut RawMesh, primitive: &Primitive<'_>, world: Mat4, buffers: &Buffers<'_>) -> Result<(), SceneError> {
+    let positions = positions(primitive, world, buffers)?;
+    let count = positions.len();
+    let indices = match primitive.indices() {
+        Some(accessor) => buffers.indices(&accessor)?,
+        None => (0..count as u32).collect(),
+    };
+    if let Some(index) = indices.iter().find(|&&index| index as usize >= count) {
+        return Err(buffers.fault(format!("has index {index} where there are {count} vertices")));
+    }
+    let normals = match primitive.get(&Semantic::Normals) {
+        Some(accessor) => buffers.vectors(&accessor)?,
+        None => Vec::new(),
+    };
+    let colours = match primitive.get(&Semantic::Colors(0)) {
+        Some(accessor) => buffers.colours(&accessor)?,
+        None => Vec::new(),
+    };
+    let material = primitive.material();
+    let [r, g, b, _] = material.pbr_metallic_roughness().base_color_factor();
+    let strength = material.emissive_strength().unwrap_or(1.0);
+    let emission = material.emissive_factor().map(|channel| (channel * strength).clamp(0.0, 1.0e6));
+    let linear = Mat3::from_mat4(world);
+    let normal_from_local = linear.inverse().transpose();
+    let first = raw.vertices.len() as u32;
+    for (index, position) in positions.into_iter().enumerate() {
+        let tint = colours.get(index).copied().unwrap_or([1.0; 3]);
+        let normal = Vec3::from(normals.get(index).copied().unwrap_or_default());
+        raw.vertices.push(MeshVertex {
+            position,
+            // A flattening transform has no inverse: such normals are made anew, as those that are missing.
+            normal: (normal_from_local * normal).normalize_or_zero().into(),
+            color: std::array::from_fn(|c| ([r, g, b][c] * tint[c]).clamp(0.0, 1.0)),
+            emission,
+        });
+    }
+    let mirrored = linear.determinant() < 0.0;
+    raw.triangles.extend(triangles(primitive.mode(), &indices).map(|[a, b, c]| {
+        let [a, b, c] = [first + a, first + b, first + c];
+        if mirrored { [a, c, b] } else { [a, b, c] }
+    }));
+    Ok(())
+}
+
+/// The triangles of a list, strip or fan; points and lines have none.
+fn triangles(mode: Mode, indices: &[u32]) -> Box<dyn Iterator<Item = [u32; 3]> + '_> {
+    match mode {
+        Mode::Triangles => Box::new(indices.as_chunks::<3>().0.iter().copied()),
+        Mode::TriangleStrip => Box::new(indices.windows(3).enumerate().map(|(index, corners)| {
+            let [a, b, c] = [corners[0], corners[1], corners[2]];
+            if index % 2 == 0 { [a, b, c] } else { [b, a, c] }
+        })),
+        Mode::TriangleFan => {
+            let hub = indices.first().copied().unwrap_or_default();
+            Box::new(indices.windows(2).skip(1).map(move |pair| [hub, pair[0], pair[1]]))
+        }
+        Mode::Points | Mode::Lines | Mode::LineLoop | Mode::LineStrip => Box::new(std::iter::empty()),
+    }
+}

@@ -1,0 +1,121 @@
+//! Meshes and wicks from files: OBJ with MTL, glTF, GLB.
+
+mod gltf;
+mod gltf_data;
+mod mtl;
+mod normals;
+mod obj;
+mod obj_text;
+
+use crate::SceneError;
+use crate::assets::{self, MAX_MESH_BYTES};
+use lucerna_frame::{MeshVertex, OpaqueMesh};
+use std::borrow::Cow;
+use std::path::Path;
+
+/// Most vertices of one file.
+const MAX_VERTICES: usize = 4_000_000;
+
+/// Most triangles of one file.
+const MAX_TRIANGLES: usize = 8_000_000;
+
+/// A mesh as it stands in a file: one list for everything, normals still missing where the file has none.
+#[derive(Debug, Default)]
+struct RawMesh {
+    /// Vertices; a normal of zero length is missing.
+    vertices: Vec<MeshVertex>,
+    /// Triangles.
+    triangles: Vec<[u32; 3]>,
+}
+
+/// The vertices of one group of a file.
+#[derive(Debug)]
+struct WickPart {
+    name: String,
+    vertices: Vec<[f32; 3]>,
+}
+
+enum Format {
+    Obj,
+    Gltf,
+}
+
+/// Reads an opaque mesh; missing normals are made.
+pub(crate) fn opaque_mesh(path: &Path, position_m: [f32; 3], scale: f32) -> Result<OpaqueMesh, SceneError> {
+    let (format, bytes) = read(path)?;
+    let mut raw = match format {
+        Format::Obj => obj::mesh(path, &bytes)?,
+        Format::Gltf => gltf::mesh(path, &bytes)?,
+    };
+    drop(bytes);
+    if raw.triangles.is_empty() {
+        return Err(SceneError::mesh(path, None, "has no faces"));
+    }
+    for vertex in &mut raw.vertices {
+        vertex.position = placed(path, vertex.position, position_m, scale)?;
+    }
+    Ok(normals::complete(raw))
+}
+
+/// Reads the vertices of wicks: one list for each group whose name starts with `wick`, or one list of all
+/// vertices where there is no such group.
+pub(crate) fn wick_vertices(path: &Path, position_m: [f32; 3], scale: f32) -> Result<Vec<Vec<[f32; 3]>>, SceneError> {
+    let (format, bytes) = read(path)?;
+    let parts = match format {
+        Format::Obj => obj_text::wicks(path, &bytes)?,
+        Format::Gltf => gltf::wicks(path, &bytes)?,
+    };
+    let named = parts.iter().any(|part| is_wick(&part.name));
+    let mut wicks: Vec<Vec<[f32; 3]>> = if named {
+        parts.into_iter().filter(|part| is_wick(&part.name)).map(|part| part.vertices).collect()
+    } else {
+        vec![parts.into_iter().flat_map(|part| part.vertices).collect()]
+    };
+    wicks.retain(|vertices| !vertices.is_empty());
+    if wicks.is_empty() {
+        return Err(SceneError::mesh(path, None, "has no vertices"));
+    }
+    for vertex in wicks.iter_mut().flatten() {
+        *vertex = placed(path, *vertex, position_m, scale)?;
+    }
+    Ok(wicks)
+}
+
+fn is_wick(name: &str) -> bool {
+    name.as_bytes().get(..4).is_some_and(|start| start.eq_ignore_ascii_case(b"wick"))
+}
+
+fn placed(path: &Path, point: [f32; 3], position_m: [f32; 3], scale: f32) -> Result<[f32; 3], SceneError> {
+    let placed: [f32; 3] = std::array::from_fn(|axis| position_m[axis] + scale * point[axis]);
+    if placed.iter().all(|x| x.is_finite()) {
+        return Ok(placed);
+    }
+    Err(SceneError::mesh(path, None, "has a vertex too far away to be placed"))
+}
+
+fn read(path: &Path) -> Result<(Format, Cow<'static, [u8]>), SceneError> {
+    let bytes = assets::read(path, MAX_MESH_BYTES)?;
+    if bytes.is_empty() {
+        return Err(SceneError::mesh(path, None, "is empty"));
+    }
+    if bytes.starts_with(b"glTF") {
+        return Ok((Format::Gltf, bytes));
+    }
+    let extension = path.extension().and_then(|text| text.to_str()).unwrap_or_default().to_ascii_lowercase();
+    match extension.as_str() {
+        "obj" => Ok((Format::Obj, bytes)),
+        "gltf" | "glb" => Ok((Format::Gltf, bytes)),
+        _ => Err(SceneError::mesh(path, None, "is not a mesh file: must be .obj, .gltf or .glb")),
+    }
+}
+
+/// Whether the file is within the limits of this crate.
+fn check_size(path: &Path, vertices: usize, triangles: usize) -> Result<(), SceneError> {
+    if vertices > MAX_VERTICES {
+        return Err(SceneError::mesh(path, None, format!("has more than {MAX_VERTICES} vertices")));
+    }
+    if triangles > MAX_TRIANGLES {
+        return Err(SceneError::mesh(path, None, format!("has more than {MAX_TRIANGLES} triangles")));
+    }
+    Ok(())
+}

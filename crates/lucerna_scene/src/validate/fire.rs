@@ -1,0 +1,117 @@
+//! Whether a fire is allowed: its wicks, fuel, particle chains, surface and shading.
+
+use super::{Check, placed};
+use crate::{Air, Fire, SceneError, WickSource};
+use lucerna_flame::{Fuel, FuelDistribution, Skeletons, SurfaceGrid, Swing};
+use lucerna_frame::FlameShade;
+
+/// Most wicks of one fire.
+const MAX_WICKS: usize = 64;
+
+/// Most points of one wick.
+const MAX_POINTS: usize = 1024;
+
+/// Most samples of a fuel table.
+const MAX_SAMPLES: usize = 4096;
+
+pub(super) fn fire(check: &Check<'_>, air: &Air, field: &str, fire: &Fire) -> Result<(), SceneError> {
+    if !(1..=MAX_WICKS).contains(&fire.wicks.len()) {
+        let counted = format!("the number of {field}.wicks");
+        return Err(check.fail(counted, fire.wicks.len(), format!("1 to {MAX_WICKS}")));
+    }
+    for (index, source) in fire.wicks.iter().enumerate() {
+        wick(check, air, &format!("{field}.wicks[{index}]"), source)?;
+    }
+    fuel(check, &format!("{field}.fuel"), &fire.fuel)?;
+    skeletons(check, &format!("{field}.skeletons"), &fire.skeletons)?;
+    surface(check, &format!("{field}.surface"), &fire.surface)?;
+    shade(check, &format!("{field}.shade"), &fire.shade)
+}
+
+fn wick(check: &Check<'_>, air: &Air, field: &str, wick: &WickSource) -> Result<(), SceneError> {
+    match wick {
+        WickSource::Polyline { points, radius_m } => {
+            if !(1..=MAX_POINTS).contains(&points.len()) {
+                let counted = format!("the number of {field}.points");
+                return Err(check.fail(counted, points.len(), format!("1 to {MAX_POINTS}")));
+            }
+            for (index, point) in points.iter().enumerate() {
+                super::inside_air(check, air, &format!("{field}.points[{index}]"), *point)?;
+            }
+            if points.len() > 1 && points.iter().all(|point| *point == points[0]) {
+                return Err(check.fail(format!("{field}.points"), "of no length", "one point, or points that differ"));
+            }
+            check.above_zero(&format!("{field}.radius_m"), *radius_m, 10.0)
+        }
+        WickSource::Mesh { file, position_m, scale } => placed(check, field, file, *position_m, *scale),
+    }
+}
+
+fn fuel(check: &Check<'_>, field: &str, fuel: &Fuel) -> Result<(), SceneError> {
+    if let FuelDistribution::Table(samples) = &fuel.distribution {
+        let table = format!("{field}.distribution table");
+        if !(2..=MAX_SAMPLES).contains(&samples.len()) {
+            let counted = format!("the number of samples of {table}");
+            return Err(check.fail(counted, samples.len(), format!("2 to {MAX_SAMPLES}")));
+        }
+        check.each(&table, samples, &(0.0..=1000.0))?;
+    }
+    check.within(&format!("{field}.strength_m_s2"), fuel.strength_m_s2, 0.0..=100_000.0)?;
+    check.within(&format!("{field}.heat_k_s"), fuel.heat_k_s, 0.0..=10_000_000.0)?;
+    let (amplitude, frequency_hz) = match fuel.swing {
+        Swing::Still => return Ok(()),
+        Swing::Random { amplitude } => (amplitude, None),
+        Swing::Periodic { amplitude, frequency_hz } | Swing::Noise { amplitude, frequency_hz } => {
+            (amplitude, Some(frequency_hz))
+        }
+    };
+    check.within(&format!("{field}.swing.amplitude"), amplitude, 0.0..=100.0)?;
+    match frequency_hz {
+        Some(hertz) => check.above_zero(&format!("{field}.swing.frequency_hz"), hertz, 1000.0),
+        None => Ok(()),
+    }
+}
+
+fn skeletons(check: &Check<'_>, field: &str, skeletons: &Skeletons) -> Result<(), SceneError> {
+    let of = |name: &str| format!("{field}.{name}");
+    check.within(&of("slices"), skeletons.slices, 1..=64)?;
+    check.within(&of("particles"), skeletons.particles, 3..=32)?;
+    check.above_zero(&of("lead_life_s"), skeletons.lead_life_s, 60.0)?;
+    check.above_zero(&of("peripheral_life_s"), skeletons.peripheral_life_s, 60.0)?;
+    check.above_zero(&of("width_m"), skeletons.width_m, 10.0)?;
+    check.within(&of("expansion_m_s"), skeletons.expansion_m_s, 0.0..=100.0)?;
+    check.each(&of("lead_sway_s"), &skeletons.lead_sway_s, &(-10.0..=10.0))?;
+    check.each(&of("peripheral_sway_s"), &skeletons.peripheral_sway_s, &(-10.0..=10.0))?;
+    check.within(&of("shed_per_s"), skeletons.shed_per_s, 0.0..=1000.0)?;
+    check.above_zero(&of("free_life_s"), skeletons.free_life_s, 60.0)
+}
+
+fn surface(check: &Check<'_>, field: &str, surface: &SurfaceGrid) -> Result<(), SceneError> {
+    let around = format!("{field}.around");
+    if !surface.around.is_multiple_of(2) || !(4..=256).contains(&surface.around) {
+        return Err(check.fail(around, surface.around, "an even number, 4 to 256"));
+    }
+    check.within(&format!("{field}.up"), surface.up, 2..=256)?;
+    check.within(&format!("{field}.tip_softness"), surface.tip_softness, 0.0..=1.0)
+}
+
+fn shade(check: &Check<'_>, field: &str, shade: &FlameShade) -> Result<(), SceneError> {
+    let of = |name: &str| format!("{field}.{name}");
+    check.each(&of("tint"), &shade.tint, &(0.0..=1000.0))?;
+    check.within(&of("soot_per_m"), shade.soot_per_m, 0.0..=100_000.0)?;
+    check.within(&of("temperature_k"), shade.temperature_k, 500.0..=10_000.0)?;
+    check.within(&of("soot_begin"), shade.soot_begin, 0.0..=1.0)?;
+    check.within(&of("soot_full"), shade.soot_full, 0.0..=1.0)?;
+    if shade.soot_full < shade.soot_begin {
+        return Err(check.fail(of("soot_full"), shade.soot_full, format!("at least soot_begin, {}", shade.soot_begin)));
+    }
+    check.within(&of("tip_fade"), shade.tip_fade, 0.0..=1.0)?;
+    check.within(&of("blue_per_m"), shade.blue_per_m, 0.0..=100_000.0)?;
+    check.within(&of("blue_end"), shade.blue_end, 0.0..=1.0)?;
+    check.within(&of("dark_radius"), shade.dark_radius, 0.0..=1.0)?;
+    check.within(&of("dark_end"), shade.dark_end, 0.0..=1.0)?;
+    check.within(&of("noise_amount"), shade.noise_amount, 0.0..=1.0)?;
+    check.within(&of("noise_per_m"), shade.noise_per_m, 0.0..=10_000.0)?;
+    check.within(&of("noise_rise_m_s"), shade.noise_rise_m_s, -100.0..=100.0)?;
+    check.within(&of("strength"), shade.strength, 0.0..=1.0)
+}

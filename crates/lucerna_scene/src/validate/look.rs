@@ -1,0 +1,68 @@
+//! Whether the camera and the look are allowed.
+
+use super::{Check, FAR_M};
+use crate::SceneError;
+use lucerna_frame::{Blur, Camera, DebugView, GlowLevel, Look, Shading, Transparency};
+
+/// Most glow levels.
+const MAX_GLOW: usize = 4;
+
+pub(super) fn camera(check: &Check<'_>, camera: &Camera) -> Result<(), SceneError> {
+    check.each("camera.eye", &camera.eye, &(-FAR_M..=FAR_M))?;
+    check.each("camera.target", &camera.target, &(-FAR_M..=FAR_M))?;
+    if camera.eye == camera.target {
+        let [x, y, z] = camera.target;
+        return Err(check.fail("camera.target", format!("({x}, {y}, {z})"), "another point than camera.eye"));
+    }
+    check.within("camera.fov_y_deg", camera.fov_y_deg, 1.0..=170.0)?;
+    check.above_zero("camera.near_m", camera.near_m, 1.0e5)?;
+    check.above_zero("camera.far_m", camera.far_m, 1.0e6)?;
+    if camera.far_m <= camera.near_m {
+        return Err(check.fail("camera.far_m", camera.far_m, format!("above camera.near_m, {}", camera.near_m)));
+    }
+    Ok(())
+}
+
+pub(super) fn look(check: &Check<'_>, look: &Look) -> Result<(), SceneError> {
+    if look.transparency == Transparency::Unsorted && look.shading == Shading::Volume {
+        return Err(check.fail("look.transparency", "unsorted", "peeled where look.shading is volume"));
+    }
+    check.within("look.layers", look.layers, 1..=32)?;
+    if look.glow.len() > MAX_GLOW {
+        return Err(check.fail("the number of look.glow", look.glow.len(), format!("at most {MAX_GLOW}")));
+    }
+    for (index, level) in look.glow.iter().enumerate() {
+        glow(check, &format!("look.glow[{index}]"), level)?;
+    }
+    check.within("look.exposure_stops", look.exposure_stops, -32.0..=32.0)?;
+    check.within("look.white_k", look.white_k, 1000.0..=40_000.0)?;
+    check.within("look.light_gain", look.light_gain, 0.0..=1.0e6)?;
+    check.each("look.ambient", &look.ambient, &(0.0..=1.0e6))?;
+    check.each("look.background", &look.background, &(0.0..=1.0e6))?;
+    if ![1, 4].contains(&look.samples) {
+        return Err(check.fail("look.samples", look.samples, "1 or 4"));
+    }
+    check.within("look.volume_steps", look.volume_steps, 2..=32)?;
+    match look.debug {
+        DebugView::Layer(layer) if layer >= look.layers => {
+            Err(check.fail("look.debug layer", layer, format!("below look.layers, {}", look.layers)))
+        }
+        DebugView::Glow(level) if level as usize >= look.glow.len() => {
+            let allowed = format!("below the number of look.glow, {}", look.glow.len());
+            Err(check.fail("look.debug glow", level, allowed))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn glow(check: &Check<'_>, field: &str, level: &GlowLevel) -> Result<(), SceneError> {
+    if ![1, 4, 16].contains(&level.divisor) {
+        return Err(check.fail(format!("{field}.divisor"), level.divisor, "1, 4 or 16"));
+    }
+    match level.blur {
+        Blur::Height(sigma) => check.above_zero(&format!("{field}.blur height"), sigma, 1.0)?,
+        Blur::Pixels(sigma) => check.above_zero(&format!("{field}.blur pixels"), sigma, 1000.0)?,
+        Blur::Published => {}
+    }
+    check.within(&format!("{field}.gain"), level.gain, 0.0..=100.0)
+}

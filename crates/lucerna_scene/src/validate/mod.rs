@@ -1,0 +1,69 @@
+//! Whether every value of a scene is allowed.
+
+mod air;
+mod check;
+mod fire;
+mod look;
+
+pub(crate) use air::inside as inside_air;
+pub(crate) use check::Check;
+
+use crate::{Scene, SceneError};
+
+/// Positions lie within this distance of the origin along each axis, m.
+const FAR_M: f32 = 1.0e5;
+
+/// Most opaque meshes of a scene.
+const MAX_MESHES: usize = 256;
+
+/// Most fires of a scene.
+const MAX_FIRES: usize = 64;
+
+/// Whether every value of the scene is allowed; files that it names are not read.
+///
+/// # Errors
+///
+/// [`SceneError::Value`] for the first value that is not.
+pub fn validate(scene: &Scene) -> Result<(), SceneError> {
+    self::scene(&Check::new(None), scene)
+}
+
+pub(crate) fn scene(check: &Check<'_>, scene: &Scene) -> Result<(), SceneError> {
+    look::camera(check, &scene.camera)?;
+    look::look(check, &scene.look)?;
+    air::air(check, &scene.air)?;
+    if !(1..=MAX_FIRES).contains(&scene.fires.len()) {
+        return Err(check.fail("the number of fires", scene.fires.len(), format!("1 to {MAX_FIRES}")));
+    }
+    for (index, one) in scene.fires.iter().enumerate() {
+        fire::fire(check, &scene.air, &format!("fires[{index}]"), one)?;
+    }
+    let flames = scene.fires.iter().map(|fire| fire.wicks.len()).sum::<usize>();
+    if flames > crate::load::MAX_FLAMES {
+        let allowed = format!("at most {}", crate::load::MAX_FLAMES);
+        return Err(check.fail("the number of wicks of all fires", flames, allowed));
+    }
+    if scene.meshes.len() > MAX_MESHES {
+        return Err(check.fail("the number of meshes", scene.meshes.len(), format!("at most {MAX_MESHES}")));
+    }
+    for (index, mesh) in scene.meshes.iter().enumerate() {
+        let field = format!("meshes[{index}]");
+        placed(check, &field, &mesh.file, mesh.position_m, mesh.scale)?;
+    }
+    Ok(())
+}
+
+/// A file with a position and a scale.
+fn placed(
+    check: &Check<'_>,
+    field: &str,
+    file: &std::path::Path,
+    position_m: [f32; 3],
+    scale: f32,
+) -> Result<(), SceneError> {
+    if file.as_os_str().is_empty() {
+        return Err(check.fail(format!("{field}.file"), "empty", "the path of an OBJ, glTF or GLB file"));
+    }
+    check.each(&format!("{field}.position_m"), &position_m, &(-FAR_M..=FAR_M))?;
+    check.within(&format!("{field}.scale"), scale, 1.0e-6..=1.0e6)
+}
