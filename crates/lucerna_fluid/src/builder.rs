@@ -1,0 +1,176 @@
+//! Setting up a fluid.
+
+use glam::Vec3;
+
+use crate::error::{FluidError, check, check_vec};
+use crate::fluid::{Fluid, Settings};
+use crate::grid::Grid;
+use crate::limits::{MAX_AXIS_CELLS, MAX_CELLS, MIN_AXIS_CELLS};
+use crate::pressure::PressureSolver;
+use crate::sides::{Side, Sides};
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Describes a [`Fluid`]; [`FluidBuilder::build`] checks it all and makes it.
+#[derive(Clone, Copy, Debug)]
+#[must_use]
+pub struct FluidBuilder {
+    cells: [usize; 3],
+    origin: Vec3,
+    size_m: Vec3,
+    sides: Sides,
+    wind_m_s: Vec3,
+    viscosity_m2_s: f32,
+    vorticity_confinement: f32,
+    ambient_k: f32,
+    cooling_per_s: f32,
+    pressure: PressureSolver,
+}
+
+impl Fluid {
+    /// Starts the description of a box of `[nx, ny, nz]` cells: 2 to 512 an axis, 16.7 million
+    /// in all. Unless said otherwise the box is 1 m along each edge, its low corner at zero, closed.
+    pub fn builder(cells: [usize; 3]) -> FluidBuilder {
+        FluidBuilder {
+            cells,
+            origin: Vec3::ZERO,
+            size_m: Vec3::ONE,
+            sides: Sides::CLOSED,
+            wind_m_s: Vec3::ZERO,
+            viscosity_m2_s: 0.0,
+            vorticity_confinement: 0.0,
+            ambient_k: 293.15,
+            cooling_per_s: 0.0,
+            pressure: PressureSolver::Direct,
+        }
+    }
+}
+
+impl FluidBuilder {
+    /// Low corner of the box, m; components within ±1e6. Default: zero.
+    pub fn origin(mut self, origin: Vec3) -> Self {
+        self.origin = origin;
+        self
+    }
+
+    /// Edges of the box, m, so that cells have 1e-4 to 1e3 m an edge; they need not be cubes.
+    /// Default: 1, 1, 1.
+    pub fn size_m(mut self, size_m: Vec3) -> Self {
+        self.size_m = size_m;
+        self
+    }
+
+    /// What the six sides do. Default: [`Sides::CLOSED`].
+    pub fn sides(mut self, sides: Sides) -> Self {
+        self.sides = sides;
+        self
+    }
+
+    /// Velocity of the air outside, m/s; components within ±100. The air in the box starts with
+    /// it, as far as the sides allow. Default: zero.
+    pub fn wind(mut self, wind_m_s: Vec3) -> Self {
+        self.wind_m_s = wind_m_s;
+        self
+    }
+
+    /// Kinematic viscosity, m²/s, 0 to 1e3; 1.5e-5 for air at room temperature, which few grids
+    /// resolve. Raising it damps small eddies. Default: 0, which skips the work.
+    pub fn viscosity_m2_s(mut self, viscosity_m2_s: f32) -> Self {
+        self.viscosity_m2_s = viscosity_m2_s;
+        self
+    }
+
+    /// Strength of vorticity confinement, 1/s, 0 to 100. Raising it livens small eddies; much
+    /// of it makes noise. Default: 0, which skips the work.
+    pub fn vorticity_confinement(mut self, per_s: f32) -> Self {
+        self.vorticity_confinement = per_s;
+        self
+    }
+
+    /// Temperature of the air around, K, 1 to 1e4: colder air makes the same heat rise faster.
+    /// Default: 293.15.
+    pub fn ambient_k(mut self, ambient_k: f32) -> Self {
+        self.ambient_k = ambient_k;
+        self
+    }
+
+    /// Share of the excess temperature lost per second, 1/s, 0 to 1e3. Default: 0.
+    pub fn cooling_per_s(mut self, cooling_per_s: f32) -> Self {
+        self.cooling_per_s = cooling_per_s;
+        self
+    }
+
+    /// How the pressure is found. Default: [`PressureSolver::Direct`].
+    pub fn pressure(mut self, pressure: PressureSolver) -> Self {
+        self.pressure = pressure;
+        self
+    }
+
+    /// Makes the fluid; all memory it will ever use is taken here, after everything is checked.
+    ///
+    /// # Errors
+    /// Cell counts, lengths or settings outside their ranges; inflow without an outlet.
+    pub fn build(self) -> Result<Fluid, FluidError> {
+        for (axis, cells) in AXES.into_iter().zip(self.cells) {
+            if !(MIN_AXIS_CELLS..=MAX_AXIS_CELLS).contains(&cells) {
+                return Err(FluidError::AxisCells { axis, cells });
+            }
+        }
+        let cells = self.cells.iter().product();
+        if cells > MAX_CELLS {
+            return Err(FluidError::TooManyCells { cells });
+        }
+        check_vec("origin", self.origin, 1.0e6, "components within ±1e6 m")?;
+        for (size, cells) in self.size_m.to_array().into_iter().zip(self.cells) {
+            let cells = cells as f32;
+            check("size_m", size, 1.0e-4 * cells, 1.0e3 * cells, "cells of 1e-4 to 1e3 m an edge")?;
+        }
+        check_outlet(self.sides)?;
+        let settings = Settings {
+            wind_m_s: check_wind(self.wind_m_s)?,
+            viscosity_m2_s: check_viscosity(self.viscosity_m2_s)?,
+            vorticity_confinement: check_confinement(self.vorticity_confinement)?,
+            ambient_k: check_ambient(self.ambient_k)?,
+            cooling_per_s: check_cooling(self.cooling_per_s)?,
+        };
+        if let PressureSolver::GaussSeidel { sweeps } = self.pressure {
+            check("pressure sweeps", sweeps as f32, 1.0, 1.0e4, "1 to 10000")?;
+        }
+        let grid = Grid::new(self.cells, self.origin, self.size_m, self.sides.by_axis());
+        Ok(Fluid::new(grid, self.sides, settings, self.pressure))
+    }
+}
+
+/// One inflow side without an opposite one needs an open side, or air would have to vanish.
+fn check_outlet(sides: Sides) -> Result<(), FluidError> {
+    let sides = sides.by_axis();
+    if sides.iter().flatten().any(|side| *side == Side::Open) {
+        return Ok(());
+    }
+    for (axis, ends) in AXES.into_iter().zip(sides) {
+        if (ends[0] == Side::Inflow) != (ends[1] == Side::Inflow) {
+            return Err(FluidError::NoOutlet { axis });
+        }
+    }
+    Ok(())
+}
+
+pub(crate) fn check_wind(value: Vec3) -> Result<Vec3, FluidError> {
+    check_vec("wind", value, 100.0, "components within ±100 m/s")
+}
+
+pub(crate) fn check_viscosity(value: f32) -> Result<f32, FluidError> {
+    check("viscosity_m2_s", value, 0.0, 1.0e3, "0 to 1e3 m²/s")
+}
+
+pub(crate) fn check_confinement(value: f32) -> Result<f32, FluidError> {
+    check("vorticity_confinement", value, 0.0, 100.0, "0 to 100 1/s")
+}
+
+pub(crate) fn check_ambient(value: f32) -> Result<f32, FluidError> {
+    check("ambient_k", value, 1.0, 1.0e4, "1 to 1e4 K")
+}
+
+pub(crate) fn check_cooling(value: f32) -> Result<f32, FluidError> {
+    check("cooling_per_s", value, 0.0, 1.0e3, "0 to 1e3 1/s")
+}

@@ -1,0 +1,74 @@
+//! What can be wrong with what a caller asks for.
+
+use crate::limits::{MAX_AXIS_CELLS, MAX_CELLS, MIN_AXIS_CELLS};
+
+/// A request that was refused. The fluid is as it was before the call.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FluidError {
+    /// An axis has too few or too many cells.
+    #[error("{axis} has {cells} cells; allowed: {MIN_AXIS_CELLS} to {MAX_AXIS_CELLS}")]
+    AxisCells {
+        /// Which axis: `x`, `y` or `z`.
+        axis: &'static str,
+        /// The number of cells asked for.
+        cells: usize,
+    },
+    /// The grid as a whole has too many cells.
+    #[error("the grid has {cells} cells; allowed: up to {MAX_CELLS}")]
+    TooManyCells {
+        /// The number of cells asked for.
+        cells: usize,
+    },
+    /// A number is not finite or out of its range.
+    #[error("{field} is {value}; allowed: {allowed}")]
+    Value {
+        /// Name of the parameter.
+        field: &'static str,
+        /// What was passed; of a vector, its first offending component.
+        value: f32,
+        /// What is allowed, with units.
+        allowed: &'static str,
+    },
+    /// A row of cells that does not exist.
+    #[error("row {row} does not exist; allowed: below {rows}")]
+    Row {
+        /// The row asked for.
+        row: usize,
+        /// The number of rows, which is the number of cells along y.
+        rows: usize,
+    },
+    /// Wind enters by one side of an axis and can leave nowhere.
+    #[error(
+        "the {axis} axis has one inflow side and no side of the box is open; allowed: two inflow sides, or an open side anywhere"
+    )]
+    NoOutlet {
+        /// Which axis: `x`, `y` or `z`.
+        axis: &'static str,
+    },
+}
+
+/// Refuses a number outside `low..=high`, or not a number.
+pub(crate) fn check(
+    field: &'static str,
+    value: f32,
+    low: f32,
+    high: f32,
+    allowed: &'static str,
+) -> Result<f32, FluidError> {
+    // A comparison with NaN is false, so that NaN is refused too.
+    if value >= low && value <= high { Ok(value) } else { Err(FluidError::Value { field, value, allowed }) }
+}
+
+/// Refuses a vector with a component outside `-high..=high`, or not a number.
+pub(crate) fn check_vec(
+    field: &'static str,
+    value: glam::Vec3,
+    high: f32,
+    allowed: &'static str,
+) -> Result<glam::Vec3, FluidError> {
+    for component in value.to_array() {
+        check(field, component, -high, high, allowed)?;
+    }
+    Ok(value)
+}

@@ -1,0 +1,57 @@
+//! Air in a box: a stable-fluids solver on a staggered grid, in SI units and `f32`.
+//!
+//! ```
+//! use lucerna_fluid::{Fluid, Side, Sides, Vec3};
+//!
+//! # fn main() -> Result<(), lucerna_fluid::FluidError> {
+//! let mut fluid = Fluid::builder([15, 15, 15])
+//!     .size_m(Vec3::splat(0.3))
+//!     .sides(Sides { y: [Side::Closed, Side::Open], ..Sides::OPEN })
+//!     .build()?;
+//! for _ in 0..30 {
+//!     fluid.add_heat(Vec3::new(0.15, 0.03, 0.15), 0.04, 3000.0)?;
+//!     let report = fluid.step(1.0 / 60.0)?;
+//!     assert!(report.divergence_after < 1e-3);
+//! }
+//! assert!(fluid.velocity(Vec3::new(0.15, 0.15, 0.15)).y > 0.1);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! One step (J. Stam, *Stable Fluids*, SIGGRAPH 1999, on the grid of Harlow and Welch 1965):
+//! advection ([`Fluid::step`] traces backwards with the midpoint rule), heat, forces,
+//! viscosity, and a projection that leaves the flow free of divergence to rounding.
+//!
+//! Order of cells: x fastest, then y, then z; y is up. The centre of cell (0,0,0) lies at
+//! `origin + cell_size / 2`. Velocities sit on the cells' faces: the x component has
+//! `nx + 1` values a row, the y component `ny + 1` rows a plane, the z component `nz + 1` planes.
+//!
+//! Same input, same bits, on any number of threads. No `unsafe`, no fused multiply-add; nothing
+//! that a caller passes in makes it panic, and no value that is not a number gets into a field.
+
+mod advect;
+mod builder;
+mod confinement;
+mod error;
+mod field;
+mod fluid;
+mod forces;
+mod grid;
+mod lanes;
+mod limits;
+mod parallel;
+mod pressure;
+mod read;
+mod report;
+mod sides;
+mod sources;
+mod viscosity;
+
+pub use builder::FluidBuilder;
+pub use error::FluidError;
+pub use fluid::Fluid;
+pub use glam::Vec3;
+pub use limits::{GRAVITY_M_S2, MAX_AXIS_CELLS, MAX_CELLS, MAX_DT_S, MAX_SPEED_M_S, MAX_TEMPERATURE_K, MIN_AXIS_CELLS};
+pub use pressure::PressureSolver;
+pub use report::StepReport;
+pub use sides::{Side, Sides};

@@ -1,0 +1,65 @@
+//! Work over fixed z-planes, on one thread or many, with the same bits.
+
+use rayon::prelude::*;
+
+/// What a plane contributes to the figures of a step. Planes are combined in order.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Partial {
+    pub(crate) sum: f64,
+    pub(crate) squares: f64,
+    pub(crate) max: f32,
+}
+
+impl Partial {
+    /// All planes, in order.
+    pub(crate) fn combine(partials: &[Self]) -> Self {
+        partials.iter().fold(Self::default(), |all, one| Self {
+            sum: all.sum + one.sum,
+            squares: all.squares + one.squares,
+            max: all.max.max(one.max),
+        })
+    }
+}
+
+/// Calls `work(k, plane)` for each run of `plane` values.
+pub(crate) fn for_planes<T: Send>(
+    is_parallel: bool,
+    data: &mut [T],
+    plane: usize,
+    work: impl Fn(usize, &mut [T]) + Sync + Send,
+) {
+    if is_parallel {
+        data.par_chunks_mut(plane).enumerate().for_each(|(k, values)| work(k, values));
+    } else {
+        data.chunks_mut(plane).enumerate().for_each(|(k, values)| work(k, values));
+    }
+}
+
+/// As [`for_planes`]; each plane also fills its partial result. Returns their combination.
+pub(crate) fn reduce_planes<T: Send>(
+    is_parallel: bool,
+    data: &mut [T],
+    plane: usize,
+    partials: &mut [Partial],
+    work: impl Fn(usize, &mut [T]) -> Partial + Sync + Send,
+) -> Partial {
+    let planes = data.len() / plane;
+    if is_parallel {
+        let shared = data.par_chunks_mut(plane).zip(partials.par_iter_mut()).enumerate();
+        shared.for_each(|(k, (values, partial))| *partial = work(k, values));
+    } else {
+        let planes = data.chunks_mut(plane).zip(partials.iter_mut()).enumerate();
+        planes.for_each(|(k, (values, partial))| *partial = work(k, values));
+    }
+    Partial::combine(&partials[..planes])
+}
+
+/// Fills each plane's partial result without writing to a field. Returns their combination.
+pub(crate) fn reduce(
+    is_parallel: bool,
+    partials: &mut [Partial],
+    work: impl Fn(usize) -> Partial + Sync + Send,
+) -> Partial {
+    for_planes(is_parallel, partials, 1, |k, partial| partial.fill(work(k)));
+    Partial::combine(partials)
+}

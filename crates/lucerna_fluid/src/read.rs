@@ -1,0 +1,142 @@
+//! What a caller reads: samples, figures and the raw arrays.
+
+use glam::Vec3;
+
+use crate::field::Field;
+use crate::fluid::Fluid;
+use crate::forces::energy;
+use crate::limits::MAX_DT_S;
+use crate::parallel::Partial;
+use crate::pressure::divergence_plane;
+use crate::sides::Sides;
+
+impl Fluid {
+    /// Velocity at a point, m/s, trilinear between the faces. Outside the box, the value at the
+    /// nearest place inside.
+    #[must_use]
+    pub fn velocity(&self, point: Vec3) -> Vec3 {
+        let at = self.grid.cells_from_point(point);
+        let [u, v, w] = &self.velocity;
+        Vec3::new(u.sample(at), v.sample(at), w.sample(at))
+    }
+
+    /// Temperature above ambient at a point, K, trilinear between the cells' centres. Outside
+    /// the box, the value at the nearest place inside.
+    #[must_use]
+    pub fn temperature(&self, point: Vec3) -> f32 {
+        self.temperature.sample(self.grid.cells_from_point(point))
+    }
+
+    /// Moves points with the air for `dt_s` seconds by the midpoint rule in the present field;
+    /// back in time if negative. Times are clamped to ±1e3 s; one that is not a number moves
+    /// nothing. Points may leave the box; they are then carried by the nearest air inside.
+    pub fn advect_points(&self, points: &mut [Vec3], dt_s: f32) {
+        if dt_s.is_nan() {
+            return;
+        }
+        let dt_s = dt_s.clamp(-MAX_DT_S, MAX_DT_S);
+        for point in points {
+            let middle = *point + self.velocity(*point) * (0.5 * dt_s);
+            *point += self.velocity(middle) * dt_s;
+        }
+    }
+
+    /// Number of cells along x, y and z.
+    #[must_use]
+    pub fn cells(&self) -> [usize; 3] {
+        self.grid.cells
+    }
+
+    /// Low corner of the box, m.
+    #[must_use]
+    pub fn origin(&self) -> Vec3 {
+        self.grid.origin
+    }
+
+    /// Edges of the box, m.
+    #[must_use]
+    pub fn size_m(&self) -> Vec3 {
+        self.grid.size_m
+    }
+
+    /// Edges of a cell, m.
+    #[must_use]
+    pub fn cell_size_m(&self) -> Vec3 {
+        Vec3::from_array(self.grid.cell_m)
+    }
+
+    /// What the six sides do.
+    #[must_use]
+    pub fn sides(&self) -> Sides {
+        self.sides
+    }
+
+    /// Velocity of the air outside, m/s.
+    #[must_use]
+    pub fn wind(&self) -> Vec3 {
+        self.settings.wind_m_s
+    }
+
+    /// Temperature of the air around, K.
+    #[must_use]
+    pub fn ambient_k(&self) -> f32 {
+        self.settings.ambient_k
+    }
+
+    /// Greatest speed through a face after the last step, m/s.
+    #[must_use]
+    pub fn max_speed_m_s(&self) -> f32 {
+        self.max_speed_m_s
+    }
+
+    /// Mean kinetic energy per mass over the box, m²/s²; faces on its sides count half.
+    #[must_use]
+    pub fn mean_kinetic_energy_m2_s2(&self) -> f64 {
+        let mut partials = vec![Partial::default(); self.grid.cells[2] + 1];
+        0.5 * energy(&self.grid, &self.velocity, &mut partials) / self.grid.count() as f64
+    }
+
+    /// Velocities through the faces, m/s: x component with `[nx + 1, ny, nz]` values, y with
+    /// `[nx, ny + 1, nz]`, z with `[nx, ny, nz + 1]`; x fastest.
+    #[must_use]
+    pub fn face_velocities(&self) -> [&[f32]; 3] {
+        self.velocity.each_ref().map(|field| field.data.as_slice())
+    }
+
+    /// Temperatures above ambient at the cells' centres, K; x fastest.
+    #[must_use]
+    pub fn temperatures(&self) -> &[f32] {
+        &self.temperature.data
+    }
+
+    /// Velocity potential of the last projection at the cells' centres, m²/s: pressure times
+    /// step over density; x fastest.
+    #[must_use]
+    pub fn potential(&self) -> &[f32] {
+        &self.projection.potential
+    }
+
+    /// Divergence of the present velocity by cell, 1/s; x fastest. Allocates.
+    #[must_use]
+    pub fn divergence(&self) -> Vec<f32> {
+        let mut out = vec![0.0; self.grid.count()];
+        for (k, plane) in out.chunks_exact_mut(self.grid.plane()).enumerate() {
+            divergence_plane(&self.grid, &self.velocity, k, plane);
+        }
+        out
+    }
+
+    /// FNV-1a hash of the bits of velocity and temperature: equal states, equal hashes.
+    #[must_use]
+    pub fn state_hash(&self) -> u64 {
+        let [u, v, w] = &self.velocity;
+        let mut hash = 0xcbf2_9ce4_8422_2325_u64;
+        let mut mix = |field: &Field| {
+            for byte in field.data.iter().flat_map(|value| value.to_bits().to_le_bytes()) {
+                hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+            }
+        };
+        [u, v, w, &self.temperature].into_iter().for_each(&mut mix);
+        hash
+    }
+}

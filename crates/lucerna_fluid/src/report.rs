@@ -1,0 +1,26 @@
+//! What a step reports.
+
+/// How a step went. Divergences are relative: times the shortest edge of a cell, over the
+/// greatest face speed that the projection met or left. A value of 1 is a cell that empties
+/// itself at full speed; rounding leaves 1e-6 to 1e-4 after [`crate::PressureSolver::Direct`].
+/// Where the caller added expansion, they measure `div u - expansion`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StepReport {
+    /// Length of the step, s.
+    pub dt_s: f32,
+    /// What the pressure solver left: root mean square divergence after over before.
+    /// Zero where nothing was to be done.
+    pub pressure_residual: f32,
+    /// Greatest relative divergence before the projection.
+    pub divergence_before: f32,
+    /// Greatest relative divergence after the projection.
+    pub divergence_after: f32,
+    /// Greatest divergence after the projection, 1/s.
+    pub divergence_after_per_s: f32,
+    /// Greatest speed through a face, m/s.
+    pub max_speed_m_s: f32,
+    /// Courant number: cells that the fastest face velocity crosses in this step.
+    pub cfl: f32,
+    /// Highest temperature above ambient, K.
+    pub max_temperature_k: f32,
+}

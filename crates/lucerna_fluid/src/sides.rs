@@ -1,0 +1,63 @@
+//! What the six sides of the box do to the air.
+
+use serde::{Deserialize, Serialize};
+
+/// One side of the box.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Side {
+    /// A wall without friction: nothing passes, air slides along it.
+    #[default]
+    Closed,
+    /// A wall with friction: nothing passes, and viscosity holds the air at the wall still.
+    /// Without viscosity it acts as [`Side::Closed`].
+    ClosedNoSlip,
+    /// Free air: zero pressure on the face. Air leaves with the velocity that it has, and what
+    /// comes in has the wind's velocity and ambient temperature. Where the wind blows in, it
+    /// pushes with its ram pressure, so that the box takes on the wind within the time in which
+    /// the wind crosses it.
+    Open,
+    /// Air enters (or leaves) with exactly the wind's velocity, at ambient temperature.
+    Inflow,
+}
+
+impl Side {
+    /// Whether the velocity through the face is given, so that the pressure has no say in it.
+    pub(crate) fn fixes_flow(self) -> bool {
+        self != Side::Open
+    }
+
+    /// Whether air can come from outside.
+    pub(crate) fn lets_in(self) -> bool {
+        matches!(self, Side::Open | Side::Inflow)
+    }
+}
+
+/// The six sides: for each axis the one at its low end and the one at its high end.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub struct Sides {
+    /// Left and right.
+    pub x: [Side; 2],
+    /// Bottom and top.
+    pub y: [Side; 2],
+    /// Back and front.
+    pub z: [Side; 2],
+}
+
+impl Sides {
+    /// Walls without friction all around. The default.
+    pub const CLOSED: Self = Self::all(Side::Closed);
+    /// Free air all around.
+    pub const OPEN: Self = Self::all(Side::Open);
+
+    /// The same on all six sides.
+    #[must_use]
+    pub const fn all(side: Side) -> Self {
+        Self { x: [side; 2], y: [side; 2], z: [side; 2] }
+    }
+
+    /// By axis: x, y, z.
+    pub(crate) fn by_axis(self) -> [[Side; 2]; 3] {
+        [self.x, self.y, self.z]
+    }
+}

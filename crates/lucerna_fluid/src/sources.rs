@@ -1,0 +1,216 @@
+//! What a caller changes: settings, and what is added for the coming step.
+
+use glam::Vec3;
+
+use crate::builder::{check_ambient, check_confinement, check_cooling, check_viscosity, check_wind};
+use crate::error::{FluidError, check, check_vec};
+use crate::field::Field;
+use crate::fluid::Fluid;
+use crate::grid::Grid;
+use crate::limits::{MAX_ACCELERATION_M_S2, MAX_SPEED_M_S, MAX_TEMPERATURE_K};
+
+impl Fluid {
+    /// Pushes the air of the cell that holds `point` during the coming step, m/s², components
+    /// within ±1e6. Each face of the cell takes half, so that the momentum is that of one cell.
+    /// Several calls add up. A point outside the box is ignored.
+    ///
+    /// # Errors
+    /// A value that is not finite or out of range; nothing has changed then.
+    pub fn add_acceleration(&mut self, point: Vec3, acceleration_m_s2: Vec3) -> Result<(), FluidError> {
+        check_point(point)?;
+        let acceleration = check_acceleration(acceleration_m_s2)?.to_array();
+        let Some([i, j, k]) = self.grid.cell_of_point(point) else { return Ok(()) };
+        for (axis, field) in self.sources.acceleration.iter_mut().enumerate() {
+            let [nx, ny, _] = field.counts;
+            let low = i + nx * (j + ny * k);
+            let stride = [1, nx, nx * ny][axis];
+            for at in [low, low + stride] {
+                field.data[at] = add_clamped(field.data[at], 0.5 * acceleration[axis], MAX_ACCELERATION_M_S2);
+            }
+        }
+        self.sources.has_acceleration = true;
+        Ok(())
+    }
+
+    /// Pushes all cells of height index `j` upwards during the coming step, m/s², within ±1e6.
+    /// Rows add up: the same value on all rows is a uniform acceleration inside the box.
+    ///
+    /// # Errors
+    /// A row that does not exist, or a value that is not finite or out of range.
+    pub fn add_row_acceleration(&mut self, j: usize, acceleration_m_s2: f32) -> Result<(), FluidError> {
+        let rows = self.grid.cells[1];
+        if j >= rows {
+            return Err(FluidError::Row { row: j, rows });
+        }
+        let acceleration = check_acceleration(Vec3::new(0.0, acceleration_m_s2, 0.0))?.y;
+        let field = &mut self.sources.acceleration[1];
+        let [nx, ny, _] = field.counts;
+        for plane in field.data.chunks_exact_mut(nx * ny) {
+            for value in &mut plane[j * nx..(j + 2) * nx] {
+                *value = add_clamped(*value, 0.5 * acceleration, MAX_ACCELERATION_M_S2);
+            }
+        }
+        self.sources.has_acceleration = true;
+        Ok(())
+    }
+
+    /// Heats a smooth ball during the coming step: `kelvin_per_s` (within ±1e6, negative cools)
+    /// at its centre, falling as `(1 - d²/r²)²` to zero at `radius_m` (above 0, up to 1e6; taken
+    /// as no less than the longest edge of a cell). The part outside the box is ignored.
+    ///
+    /// # Errors
+    /// A value that is not finite or out of range; nothing has changed then.
+    pub fn add_heat(&mut self, point: Vec3, radius_m: f32, kelvin_per_s: f32) -> Result<(), FluidError> {
+        check_ball(point, radius_m)?;
+        let rate = check("kelvin_per_s", kelvin_per_s, -1.0e6, 1.0e6, "within ±1e6 K/s")?;
+        add_ball(&self.grid, &mut self.sources.heat, point, radius_m, rate, 1.0e7);
+        self.sources.has_heat = true;
+        Ok(())
+    }
+
+    /// Lets gas expand in a smooth ball during the coming step: the flow gets the divergence
+    /// `rate_per_s` (within ±1e4, negative shrinks) at the centre, falling as in
+    /// [`Fluid::add_heat`]. In a box without an open side only differences from the mean act.
+    ///
+    /// # Errors
+    /// A value that is not finite or out of range; nothing has changed then.
+    pub fn add_expansion(&mut self, point: Vec3, radius_m: f32, rate_per_s: f32) -> Result<(), FluidError> {
+        check_ball(point, radius_m)?;
+        let rate = check("rate_per_s", rate_per_s, -1.0e4, 1.0e4, "within ±1e4 1/s")?;
+        add_ball(&self.grid, &mut self.sources.expansion, point, radius_m, rate, 1.0e4);
+        self.sources.has_expansion = true;
+        Ok(())
+    }
+
+    /// Velocity of the air outside, m/s; components within ±100. Inflow sides follow at once,
+    /// the air behind open sides within the time in which the wind crosses the box.
+    ///
+    /// # Errors
+    /// A value that is not finite or out of range.
+    pub fn set_wind(&mut self, wind_m_s: Vec3) -> Result<(), FluidError> {
+        self.settings.wind_m_s = check_wind(wind_m_s)?;
+        Ok(())
+    }
+
+    /// Kinematic viscosity, m²/s, 0 to 1e3.
+    ///
+    /// # Errors
+    /// A value that is not finite or out of range.
+    pub fn set_viscosity_m2_s(&mut self, viscosity_m2_s: f32) -> Result<(), FluidError> {
+        self.settings.viscosity_m2_s = check_viscosity(viscosity_m2_s)?;
+        Ok(())
+    }
+
+    /// Strength of vorticity confinement, 1/s, 0 to 100.
+    ///
+    /// # Errors
+    /// A value that is not finite or out of range.
+    pub fn set_vorticity_confinement(&mut self, per_s: f32) -> Result<(), FluidError> {
+        self.settings.vorticity_confinement = check_confinement(per_s)?;
+        Ok(())
+    }
+
+    /// Share of the excess temperature lost per second, 1/s, 0 to 1e3.
+    ///
+    /// # Errors
+    /// A value that is not finite or out of range.
+    pub fn set_cooling_per_s(&mut self, cooling_per_s: f32) -> Result<(), FluidError> {
+        self.settings.cooling_per_s = check_cooling(cooling_per_s)?;
+        Ok(())
+    }
+
+    /// Temperature of the air around, K, 1 to 1e4. The excess temperatures stay.
+    ///
+    /// # Errors
+    /// A value that is not finite or out of range.
+    pub fn set_ambient_k(&mut self, ambient_k: f32) -> Result<(), FluidError> {
+        self.settings.ambient_k = check_ambient(ambient_k)?;
+        Ok(())
+    }
+
+    /// Sets the velocity everywhere, from the value of `velocity_m_s` at each face's centre
+    /// (components within ±300 m/s), and makes it obey the sides and free of divergence.
+    ///
+    /// # Errors
+    /// A value that is not finite or out of range; nothing has changed then.
+    pub fn fill_velocity(&mut self, velocity_m_s: impl Fn(Vec3) -> Vec3) -> Result<(), FluidError> {
+        for (axis, field) in self.next_velocity.iter_mut().enumerate() {
+            fill(&self.grid, field, |point| {
+                let value = velocity_m_s(point).to_array()[axis];
+                check("velocity_m_s", value, -MAX_SPEED_M_S, MAX_SPEED_M_S, "components within ±300 m/s")
+            })?;
+        }
+        std::mem::swap(&mut self.velocity, &mut self.next_velocity);
+        self.settle();
+        Ok(())
+    }
+
+    /// Sets the temperature above ambient everywhere, K (-0.9 times ambient to 1e4), from its
+    /// value at the centre of each cell.
+    ///
+    /// # Errors
+    /// A value that is not finite or out of range; nothing has changed then.
+    pub fn fill_temperature(&mut self, kelvin: impl Fn(Vec3) -> f32) -> Result<(), FluidError> {
+        let lowest_k = -0.9 * self.settings.ambient_k;
+        fill(&self.grid, &mut self.next_temperature, |point| {
+            check("kelvin", kelvin(point), lowest_k, MAX_TEMPERATURE_K, "-0.9 times ambient to 1e4 K")
+        })?;
+        std::mem::swap(&mut self.temperature, &mut self.next_temperature);
+        Ok(())
+    }
+}
+
+/// Fills a field from a function of the point at which each value lies.
+fn fill(grid: &Grid, field: &mut Field, value: impl Fn(Vec3) -> Result<f32, FluidError>) -> Result<(), FluidError> {
+    let [nx, ny, _] = field.counts;
+    let offset = Vec3::from_array(field.offset);
+    for (at, out) in field.data.iter_mut().enumerate() {
+        let index = Vec3::new((at % nx) as f32, (at / nx % ny) as f32, (at / (nx * ny)) as f32);
+        *out = value(grid.origin + (index + offset) * Vec3::from_array(grid.cell_m))?;
+    }
+    Ok(())
+}
+
+/// Adds a ball that falls smoothly to zero at its radius; sums stay within `most`.
+fn add_ball(grid: &Grid, values: &mut [f32], point: Vec3, radius_m: f32, rate: f32, most: f32) {
+    let [longest_x, longest_y, longest_z] = grid.cell_m;
+    let radius = radius_m.max(longest_x).max(longest_y).max(longest_z);
+    let (low, high) = (grid.cells_from_point(point - radius), grid.cells_from_point(point + radius));
+    let range = |axis: usize| {
+        let count = grid.cells[axis] as f32;
+        // Cells whose centres lie between the two ends; empty when the ball is outside.
+        let first = (low[axis] - 0.5).ceil().max(0.0).min(count);
+        let end = ((high[axis] - 0.5).floor() + 1.0).max(0.0).min(count);
+        first as usize..end as usize
+    };
+    let [nx, ny, _] = grid.cells;
+    for k in range(2) {
+        for j in range(1) {
+            for i in range(0) {
+                let centre = (Vec3::new(i as f32, j as f32, k as f32) + 0.5) * Vec3::from_array(grid.cell_m);
+                let distance_squared = (grid.origin + centre).distance_squared(point);
+                let fall = (1.0 - distance_squared / (radius * radius)).max(0.0);
+                let value = &mut values[i + nx * (j + ny * k)];
+                *value = add_clamped(*value, rate * fall * fall, most);
+            }
+        }
+    }
+}
+
+fn add_clamped(value: f32, more: f32, most: f32) -> f32 {
+    (value + more).max(-most).min(most)
+}
+
+fn check_point(point: Vec3) -> Result<Vec3, FluidError> {
+    check_vec("point", point, f32::MAX, "finite")
+}
+
+fn check_ball(point: Vec3, radius_m: f32) -> Result<(), FluidError> {
+    check_point(point)?;
+    check("radius_m", radius_m, f32::MIN_POSITIVE, 1.0e6, "above 0, up to 1e6 m")?;
+    Ok(())
+}
+
+fn check_acceleration(value: Vec3) -> Result<Vec3, FluidError> {
+    check_vec("acceleration_m_s2", value, MAX_ACCELERATION_M_S2, "components within ±1e6 m/s²")
+}
