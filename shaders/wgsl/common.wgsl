@@ -38,7 +38,7 @@ struct Flame {
     noise_per_m: f32,
     noise_rise_m_s: f32,
     strength: f32,
-    // Black-body radiance at the soot's temperature, and 300 K below.
+    // Black-body radiance at the soot's temperature, and 300 K below. hot.w: 1 if the eye may be inside the flame.
     hot: vec4f,
     cool: vec4f,
     blue: vec4f,

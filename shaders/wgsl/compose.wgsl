@@ -5,6 +5,8 @@ struct Compose {
     gains: vec4f,
     // debug view (see below), its layer, unused, unused
     debug: vec4u,
+    // Where each copy is not black: first and last pixel along x and y.
+    reach: array<vec4f, 4>,
 }
 
 @group(1) @binding(0) var<uniform> compose: Compose;
@@ -43,12 +45,34 @@ fn dither(pixel: vec2f) -> f32 {
     return (fract(52.9829189 * fract(dot(pixel, vec2f(0.06711056, 0.00583715)))) - 0.5) / 255.0;
 }
 
-fn glow_at(uv: vec2f) -> vec3f {
-    let sum = textureSampleLevel(glow_0, linear_sampler, uv, 0.0) * compose.gains.x
-        + textureSampleLevel(glow_1, linear_sampler, uv, 0.0) * compose.gains.y
-        + textureSampleLevel(glow_2, linear_sampler, uv, 0.0) * compose.gains.z
-        + textureSampleLevel(glow_3, linear_sampler, uv, 0.0) * compose.gains.w;
-    return sum.rgb * view.extra.y;
+// The sharpest copy is of full size or stands alone; reading it needs no filter then.
+fn sharpest_at(pixel: vec2f, uv: vec2f) -> vec4f {
+    if !is_reached(0u, pixel) {
+        return vec4f(0.0);
+    }
+    if all(textureDimensions(glow_0) == view.size_layers_lights.xy) {
+        return textureLoad(glow_0, vec2i(pixel), 0);
+    }
+    return textureSampleLevel(glow_0, linear_sampler, uv, 0.0);
+}
+
+fn is_reached(level: u32, pixel: vec2f) -> bool {
+    let reach = compose.reach[level];
+    return all(pixel >= reach.xy) && all(pixel <= reach.zw);
+}
+
+fn glow_at(sharpest: vec3f, pixel: vec2f, uv: vec2f) -> vec3f {
+    var sum = sharpest * compose.gains.x;
+    if is_reached(1u, pixel) {
+        sum += textureSampleLevel(glow_1, linear_sampler, uv, 0.0).rgb * compose.gains.y;
+    }
+    if is_reached(2u, pixel) {
+        sum += textureSampleLevel(glow_2, linear_sampler, uv, 0.0).rgb * compose.gains.z;
+    }
+    if is_reached(3u, pixel) {
+        sum += textureSampleLevel(glow_3, linear_sampler, uv, 0.0).rgb * compose.gains.w;
+    }
+    return sum * view.extra.y;
 }
 
 fn displayed(light: vec3f, pixel: vec2f) -> vec3f {
@@ -56,13 +80,11 @@ fn displayed(light: vec3f, pixel: vec2f) -> vec3f {
     if view.modes.w == 1u {
         color = filmic(color);
     }
-    let encoded = srgb(color) + dither(pixel);
     if view.modes.z == 1u {
-        return encoded;
+        return srgb(color) + dither(pixel);
     }
-    // The target encodes by itself.
-    let c = clamp(encoded, vec3f(0.0), vec3f(1.0));
-    return select(pow((c + 0.055) / 1.055, vec3f(2.4)), c / 12.92, c <= vec3f(0.04045));
+    // The target encodes by itself: a step of the encoded value is about 2.27 sqrt(c) steps of the linear one.
+    return color + dither(pixel) * (2.27 * sqrt(clamp(color, vec3f(0.0), vec3f(1.0))) + 0.05);
 }
 
 // Blue through green to red, for counts from 1 to 16.
@@ -97,7 +119,7 @@ fn debug_light(pixel: vec2i, uv: vec2f) -> vec3f {
             return textureLoad(opaque_color, pixel, 0).rgb;
         }
         default: {
-            return glow_at(uv);
+            return glow_at(sharpest_at(vec2f(pixel), uv).rgb, vec2f(pixel), uv);
         }
     }
 }
@@ -118,9 +140,9 @@ fn fs_compose(@builtin(position) position: vec4f) -> @location(0) vec4f {
         return debug_view(position.xy, uv);
     }
     // The sharpest copy also says how much of the scene the soot hides: its edge must be as soft as the flame's.
-    let hidden = textureSampleLevel(glow_0, linear_sampler, uv, 0.0).a;
+    let sharpest = sharpest_at(position.xy, uv);
     let scene = textureLoad(opaque_color, vec2i(position.xy), 0).rgb;
-    return vec4f(displayed(scene * (1.0 - hidden) + glow_at(uv), position.xy), 1.0);
+    return vec4f(displayed(scene * (1.0 - sharpest.a) + glow_at(sharpest.rgb, position.xy, uv), position.xy), 1.0);
 }
 
 // Over a picture that is there already: premultiplied, so that the glow adds and the soot hides.
@@ -130,6 +152,6 @@ fn fs_over(@builtin(position) position: vec4f) -> @location(0) vec4f {
     if compose.debug.x != 0u {
         return debug_view(position.xy, uv);
     }
-    let hidden = textureSampleLevel(glow_0, linear_sampler, uv, 0.0).a;
-    return vec4f(displayed(glow_at(uv), position.xy), hidden);
+    let sharpest = sharpest_at(position.xy, uv);
+    return vec4f(displayed(glow_at(sharpest.rgb, position.xy, uv), position.xy), sharpest.a);
 }

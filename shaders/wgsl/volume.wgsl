@@ -119,9 +119,11 @@ fn fs_volume(@builtin(position) position: vec4f) -> @location(0) vec4f {
     var soot = vec3f(0.0);
     var blue = vec3f(0.0);
     var depth = 0.0;
+    var layers_left = false;
     for (var i = 0u; i < view.size_layers_lights.z; i++) {
         let packed = textureLoad(layer_surfaces, pixel, i32(i), 0).xy;
         if packed.x == 0u {
+            layers_left = true;
             break;
         }
         let z = textureLoad(layer_depths, pixel, i32(i), 0).x;
@@ -151,8 +153,12 @@ fn fs_volume(@builtin(position) position: vec4f) -> @location(0) vec4f {
             continue;
         }
         if is_new {
-            // The first face of this flame is a back face: the eye is inside of it.
+            // The first face of this flame is a back face: the eye is inside of it, unless the front face lies at the
+            // same depth (a silhouette), where the ray was not inside at all.
             opened[slot].packed = packed;
+            if flames[flame - 1u].hot.w == 0.0 {
+                continue;
+            }
             let leave = unpack_layer(packed);
             let light = interval(ray, leave, leave, 2.0 * ray.begin - here, here);
             soot += light.soot;
@@ -170,7 +176,7 @@ fn fs_volume(@builtin(position) position: vec4f) -> @location(0) vec4f {
         opened[slot].count = max(opened[slot].count, 0);
     }
     // Still inside when the layers ran out: the chord of a round flame entered at this angle ends it.
-    for (var slot = 0u; slot < used; slot++) {
+    for (var slot = 0u; slot < used && !layers_left; slot++) {
         if opened[slot].count > 0 {
             let enter = unpack_layer(opened[slot].packed);
             let chord = 2.0 * enter.radius * enter.facing;

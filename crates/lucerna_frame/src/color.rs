@@ -10,7 +10,7 @@ const REFERENCE_K: f64 = 1800.0;
 
 /// Linear sRGB from CIE XYZ (IEC 61966-2-1), columns.
 const SRGB_FROM_XYZ: Mat3 = Mat3::from_cols_array(&[
-    3.240_970,
+    3.240_97,
     -0.969_243_7,
     0.055_630_08,
     -1.537_383_2,

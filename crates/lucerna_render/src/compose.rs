@@ -5,14 +5,20 @@ use crate::renderer::FireRenderer;
 use crate::targets::Targets;
 use lucerna_frame::{DebugView, Look};
 
-/// What `compose.wgsl` is told.
-pub(crate) fn compose_data(look: &Look) -> ComposeData {
+/// A rectangle that no pixel is in.
+const NOWHERE: [f32; 4] = [1.0, 1.0, -1.0, -1.0];
+
+/// What `compose.wgsl` is told: `bounds` are the pixels of the flames, `radii` the reach of the blurs in texels.
+pub(crate) fn compose_data(look: &Look, bounds: Option<[u32; 4]>, radii: &[u32; MAX_GLOW]) -> ComposeData {
     let mut gains = [0.0; MAX_GLOW];
-    for (gain, level) in gains.iter_mut().zip(&look.glow) {
-        *gain = level.gain;
+    let mut reach = [NOWHERE; MAX_GLOW];
+    for (index, level) in look.glow.iter().enumerate() {
+        gains[index] = level.gain;
+        reach[index] = grown(bounds, level.divisor * (radii[index] + 2));
     }
     if look.glow.is_empty() {
         gains[0] = 1.0;
+        reach[0] = grown(bounds, 1);
     }
     let debug = match look.debug {
         DebugView::Final => [0, 0],
@@ -27,7 +33,14 @@ pub(crate) fn compose_data(look: &Look) -> ComposeData {
         }
         DebugView::Opaque => [5, 0],
     };
-    ComposeData { gains, debug: [debug[0], debug[1], 0, 0] }
+    ComposeData { gains, debug: [debug[0], debug[1], 0, 0], reach }
+}
+
+/// First and last pixel of the flames' bounds with a border.
+fn grown(bounds: Option<[u32; 4]>, border: u32) -> [f32; 4] {
+    let Some([x, y, width, height]) = bounds else { return NOWHERE };
+    let border = border as f32;
+    [x as f32 - border, y as f32 - border, (x + width) as f32 + border, (y + height) as f32 + border]
 }
 
 impl FireRenderer {

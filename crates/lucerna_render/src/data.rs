@@ -77,7 +77,7 @@ const EDGE_COOLING_K: f32 = 300.0;
 const BLUE_RGB: [f32; 3] = [0.10, 0.27, 1.0];
 
 impl FlameData {
-    pub(crate) fn new(shade: &FlameShade) -> Self {
+    pub(crate) fn new(shade: &FlameShade, eye_may_be_inside: bool) -> Self {
         let hot = blackbody_rgb(shade.temperature_k);
         // Cooler in hue only: the edge is thin, and its optical depth already makes it dim.
         let cool = blackbody_rgb(shade.temperature_k - EDGE_COOLING_K);
@@ -85,7 +85,7 @@ impl FlameData {
         let cool = cool * (luminance(hot) / luminance(cool));
         Self {
             shade: *shade,
-            hot: hot.extend(0.0).to_array(),
+            hot: hot.extend(f32::from(u8::from(eye_may_be_inside))).to_array(),
             cool: cool.extend(0.0).to_array(),
             blue: Vec3::from(BLUE_RGB).extend(0.0).to_array(),
         }
@@ -124,4 +124,5 @@ pub(crate) struct Kernel {
 pub(crate) struct ComposeData {
     pub(crate) gains: [f32; MAX_GLOW],
     pub(crate) debug: [u32; 4],
+    pub(crate) reach: [[f32; 4]; MAX_GLOW],
 }

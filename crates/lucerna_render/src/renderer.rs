@@ -198,7 +198,10 @@ impl FireRenderer {
         check_frame(frame)?;
 
         self.flame_data.clear();
-        self.flame_data.extend(frame.flame_shades.iter().map(FlameData::new));
+        self.flame_data.extend(frame.flame_shades.iter().zip(frame.flame_draws).map(|(shade, draw)| {
+            let vertices = &frame.flame_vertices[draw.first_vertex as usize..][..draw.vertex_count as usize];
+            FlameData::new(shade, encloses(vertices, camera))
+        }));
         self.light_data.clear();
         self.light_data.extend(frame.lights.iter().map(|light| LightData::new(light, look)));
         let flames_grew = self.flames.write(device, queue, bytemuck::cast_slice(&self.flame_data));
@@ -208,7 +211,6 @@ impl FireRenderer {
         }
         let view = View::new(size_px, frame, camera, look, self.encodes_srgb);
         queue.write_buffer(&self.view, 0, bytemuck::bytes_of(&view));
-        queue.write_buffer(&self.compose, 0, bytemuck::bytes_of(&compose_data(look)));
         queue.write_buffer(&self.open_intervals, 0, &[0; 4]);
 
         self.flame_vertices.write(device, queue, bytemuck::cast_slice(frame.flame_vertices));
@@ -242,6 +244,8 @@ impl FireRenderer {
         for (radius, level) in self.glow_radii.iter_mut().zip(&look.glow) {
             *radius = weights(level.blur, size_px[1], level.divisor).1.unsigned_abs();
         }
+        let compose = compose_data(look, self.flame_bounds, &self.glow_radii);
+        queue.write_buffer(&self.compose, 0, bytemuck::bytes_of(&compose));
         Ok(())
     }
 
@@ -330,6 +334,20 @@ fn bounds(size: [u32; 2], frame: &Frame<'_>, camera: &Camera) -> Option<[u32; 4]
         (pixel(glam::Vec2::new(low.x, high.y)).floor() - 1.0, pixel(glam::Vec2::new(high.x, low.y)).ceil() + 1.0);
     let (from, to) = (from.max(glam::Vec2::ZERO), to.min(size));
     (to.x > from.x && to.y > from.y).then(|| [from.x, from.y, to.x - from.x, to.y - from.y].map(|v| v as u32))
+}
+
+/// True if the eye, or the near plane around it, lies in the box around a flame.
+fn encloses(vertices: &[lucerna_frame::FlameVertex], camera: &Camera) -> bool {
+    let eye = glam::Vec3::from(camera.eye);
+    let (mut low, mut high) = (glam::Vec3::MAX, glam::Vec3::MIN);
+    for vertex in vertices {
+        let position = glam::Vec3::from(vertex.position);
+        low = low.min(position);
+        high = high.max(position);
+    }
+    // Corners of the near plane are farther away than its centre.
+    let margin = glam::Vec3::splat(4.0 * camera.near_m);
+    (low - margin).cmple(eye).all() && eye.cmple(high + margin).all()
 }
 
 fn check_size([width, height]: [u32; 2], limit: u32) -> Result<(), RenderError> {

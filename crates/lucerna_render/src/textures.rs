@@ -12,7 +12,7 @@ fn lattice(x: u32, y: u32, z: u32) -> f32 {
 
 /// Smooth value noise that repeats after `period` lattice cells along each axis.
 fn periodic_noise(p: [f32; 3], period: [u32; 3]) -> f32 {
-    let cell = p.map(|v| v.floor());
+    let cell = p.map(f32::floor);
     let mut t = [p[0] - cell[0], p[1] - cell[1], p[2] - cell[2]];
     for v in &mut t {
         *v = *v * *v * *v * (*v * (*v * 6.0 - 15.0) + 10.0);
