@@ -1,12 +1,48 @@
 //! The world: a scene that burns.
 
-use lucerna_frame::Frame;
+use crate::air;
+use lucerna_flame::{FlameError, FlameSettings, Flames};
+use lucerna_fluid::{Fluid, FluidError};
+use lucerna_frame::{Frame, LineVertex};
 use lucerna_scene::LoadedScene;
+use std::time::Instant;
+
+/// Most fixed steps of one call of [`World::step`]: a slow machine falls behind rather than seize up.
+pub const MAX_STEPS: u32 = 8;
 
 /// Why a world could not be made or stepped.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
-pub enum WorldError {}
+pub enum WorldError {
+    /// A flame could not be made.
+    #[error("a flame could not be made")]
+    Flame(#[from] FlameError),
+    /// The air could not be made or moved.
+    #[error("the air could not be made or moved")]
+    Air(#[from] FluidError),
+    /// A length of time that cannot be stepped by.
+    #[error("{field} is {value}; allowed is {allowed}")]
+    Time {
+        /// Which one.
+        field: &'static str,
+        /// What it is, s.
+        value: f32,
+        /// What it may be.
+        allowed: &'static str,
+    },
+    /// The scene's wicks are not those that were read from its files.
+    #[error("the scene has {fires} fires with {wicks} wicks, but {shapes} wick shapes were loaded in {groups} groups")]
+    Wicks {
+        /// Fires in the scene.
+        fires: usize,
+        /// Wicks in the scene.
+        wicks: usize,
+        /// Groups of loaded shapes.
+        groups: usize,
+        /// Loaded shapes.
+        shapes: usize,
+    },
+}
 
 /// Which debug lines the frame carries.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -26,7 +62,7 @@ pub struct DebugLines {
 pub struct StepSummary {
     /// Fixed steps that were run.
     pub steps: u32,
-    /// Fixed steps that were due but dropped because the cap was reached.
+    /// Fixed steps that were due but dropped because the cap of [`MAX_STEPS`] was reached.
     pub dropped: u32,
     /// Largest dimensionless divergence left after any of the steps' projections.
     pub divergence: f32,
@@ -34,57 +70,238 @@ pub struct StepSummary {
     pub times: StageTimes,
 }
 
-/// Milliseconds that the stages of a step took.
+/// Milliseconds that the stages of a step took, all fixed steps together.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StageTimes {
     /// Air.
     pub fluid_ms: f64,
     /// Particle chains.
     pub skeletons_ms: f64,
-    /// Control nets and surfaces.
+    /// Control nets, surfaces, lights and debug lines.
     pub nurbs_ms: f64,
 }
 
 /// A scene that burns.
-#[derive(Debug)]
-pub struct World {}
+pub struct World {
+    scene: LoadedScene,
+    fluid: Fluid,
+    flames: Flames,
+    /// Time that was asked for but not yet stepped, s.
+    owed_s: f64,
+    debug: DebugLines,
+    lines: Vec<LineVertex>,
+    mesh_revision: u64,
+}
+
+impl std::fmt::Debug for World {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("World")
+            .field("scene", &self.scene.scene.name)
+            .field("time_s", &self.time_s())
+            .finish_non_exhaustive()
+    }
+}
 
 impl World {
     /// Lights the fires of a scene.
-    pub fn new(_scene: LoadedScene) -> Result<Self, WorldError> {
-        Ok(Self {})
+    ///
+    /// # Errors
+    /// When the scene says something that is not possible; the error names the field.
+    pub fn new(scene: LoadedScene) -> Result<Self, WorldError> {
+        let fluid = air::build(&scene.scene.air)?;
+        let flames = Flames::new(settings(&scene)?, scene.scene.seed)?;
+        let (debug, lines) = (DebugLines::default(), Vec::new());
+        let mut world = Self { scene, fluid, flames, owed_s: 0.0, debug, lines, mesh_revision: 1 };
+        world.build();
+        Ok(world)
     }
+
     /// Goes on by `dt_s` seconds in fixed steps of the scene's `time_step_s`, and makes the surfaces.
-    pub fn step(&mut self, _dt_s: f32) -> Result<StepSummary, WorldError> {
-        Ok(StepSummary::default())
+    ///
+    /// Time that does not fill a step is kept for the next call; at most [`MAX_STEPS`] are run.
+    ///
+    /// # Errors
+    /// When `dt_s` is negative or not finite, or the air refuses to move.
+    pub fn step(&mut self, dt_s: f32) -> Result<StepSummary, WorldError> {
+        let air = &self.scene.scene.air;
+        if !(0.0..=1e6).contains(&dt_s) {
+            return Err(WorldError::Time { field: "dt_s", value: dt_s, allowed: "0 to 1e6" });
+        }
+        let step_s = air.time_step_s;
+        self.owed_s += f64::from(dt_s);
+        // A hair of tolerance: 1/60 s asked for in `f32` is one step of 1/60 s.
+        let due = (self.owed_s / f64::from(step_s) + 1e-4).floor();
+        self.owed_s = (self.owed_s - due * f64::from(step_s)).max(0.0);
+        let steps = due.min(f64::from(MAX_STEPS)) as u32;
+        let dropped = (due - f64::from(steps)).min(f64::from(u32::MAX)) as u32;
+        let mut summary = StepSummary { steps, dropped, ..StepSummary::default() };
+        for _ in 0..steps {
+            let start = Instant::now();
+            self.flames.drive(&mut self.fluid)?;
+            air::add_row_buoyancy(&mut self.fluid, air)?;
+            let report = self.fluid.step(step_s)?;
+            summary.divergence = summary.divergence.max(report.divergence_after);
+            summary.times.fluid_ms += ms_since(start);
+            let start = Instant::now();
+            self.flames.step(&self.fluid, step_s);
+            summary.times.skeletons_ms += ms_since(start);
+        }
+        let start = Instant::now();
+        if steps > 0 {
+            self.build();
+        }
+        summary.times.nurbs_ms = ms_since(start);
+        Ok(summary)
     }
+
+    fn build(&mut self) {
+        self.flames.build();
+        self.draw_lines();
+    }
+
+    fn draw_lines(&mut self) {
+        self.lines.clear();
+        if self.debug.skeletons {
+            self.flames.skeleton_lines(&mut self.lines);
+        }
+        if self.debug.control_nets {
+            self.flames.net_lines(&mut self.lines);
+        }
+        if self.debug.wireframe {
+            self.flames.wireframe_lines(&mut self.lines);
+        }
+        if self.debug.air_box {
+            let color = [0.5, 0.5, 0.15];
+            let ends = air::edges(&self.fluid).flatten();
+            self.lines.extend(ends.map(|p| LineVertex { position: p.to_array(), color }));
+        }
+    }
+
     /// Takes over a changed scene: keeps the fire burning where only parameters changed, starts anew where the
     /// grid or the wicks did.
-    pub fn set_scene(&mut self, _scene: LoadedScene) -> Result<(), WorldError> {
+    ///
+    /// # Errors
+    /// As [`World::new`]; the world is then as it was.
+    pub fn set_scene(&mut self, scene: LoadedScene) -> Result<(), WorldError> {
+        let (old, new) = (&self.scene.scene, &scene.scene);
+        let settings = settings(&scene)?;
+        let fresh = air::build(&new.air)?;
+        let same_fires = self.scene.wicks == scene.wicks && old.seed == new.seed;
+        if same_fires && air::same_grid(&old.air, &new.air) {
+            self.flames.set(settings)?;
+            air::adjust(&mut self.fluid, &new.air)?;
+        } else {
+            self.flames = Flames::new(settings, new.seed)?;
+            self.fluid = fresh;
+            self.owed_s = 0.0;
+        }
+        if self.scene.meshes != scene.meshes {
+            self.mesh_revision += 1;
+        }
+        self.scene = scene;
+        self.build();
         Ok(())
     }
+
     /// The scene.
     #[must_use]
     pub fn scene(&self) -> &LoadedScene {
-        unreachable!()
+        &self.scene
     }
+
     /// Back to time zero.
-    pub fn reset(&mut self) {}
+    pub fn reset(&mut self) {
+        // Both were made from these settings before.
+        if let Ok(Ok(flames)) = settings(&self.scene).map(|s| Flames::new(s, self.scene.scene.seed)) {
+            self.flames = flames;
+        }
+        self.fluid.reset();
+        self.owed_s = 0.0;
+        self.build();
+    }
+
     /// Chooses the debug lines that [`World::frame`] carries.
-    pub fn set_debug_lines(&mut self, _lines: DebugLines) {}
+    pub fn set_debug_lines(&mut self, lines: DebugLines) {
+        if self.debug != lines {
+            self.debug = lines;
+            self.draw_lines();
+        }
+    }
+
+    /// The air.
+    #[must_use]
+    pub fn fluid(&self) -> &Fluid {
+        &self.fluid
+    }
+
+    /// The flames.
+    #[must_use]
+    pub fn flames(&self) -> &Flames {
+        &self.flames
+    }
+
     /// Simulated time, s.
     #[must_use]
     pub fn time_s(&self) -> f64 {
-        0.0
+        self.flames.time_s()
     }
+
     /// A hash of all state that the next step depends on.
     #[must_use]
     pub fn state_hash(&self) -> u64 {
-        0
+        let parts = [self.fluid.state_hash(), self.flames.state_hash(), self.owed_s.to_bits()];
+        parts.into_iter().fold(0xcbf2_9ce4_8422_2325, |hash, part| {
+            part.to_le_bytes().into_iter().fold(hash, |hash: u64, byte| {
+                (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+            })
+        })
     }
+
     /// What to draw now.
     #[must_use]
     pub fn frame(&self) -> Frame<'_> {
-        Frame::default()
+        Frame {
+            time_s: self.flames.time_s() as f32,
+            flame_vertices: self.flames.vertices(),
+            flame_indices: self.flames.indices(),
+            flame_draws: self.flames.draws(),
+            flame_shades: self.flames.shades(),
+            lights: self.flames.lights(),
+            meshes: &self.scene.meshes,
+            mesh_revision: self.mesh_revision,
+            lines: &self.lines,
+        }
     }
+}
+
+/// One flame for each wick; checks what is not checked by flames and air.
+fn settings(scene: &LoadedScene) -> Result<Vec<FlameSettings>, WorldError> {
+    let step_s = scene.scene.air.time_step_s;
+    if !(1e-5..=10.0).contains(&step_s) {
+        return Err(WorldError::Time { field: "air.time_step_s", value: step_s, allowed: "1e-5 to 10" });
+    }
+    let fires = &scene.scene.fires;
+    let matches = fires.len() == scene.wicks.len()
+        && fires.iter().zip(&scene.wicks).all(|(fire, shapes)| fire.wicks.len() == shapes.len());
+    if !matches {
+        return Err(WorldError::Wicks {
+            fires: fires.len(),
+            wicks: fires.iter().map(|f| f.wicks.len()).sum(),
+            groups: scene.wicks.len(),
+            shapes: scene.wicks.iter().map(Vec::len).sum(),
+        });
+    }
+    let flame = |(fire, wick): (&lucerna_scene::Fire, &lucerna_flame::WickShape)| FlameSettings {
+        wick: wick.clone(),
+        fuel: fire.fuel.clone(),
+        skeletons: fire.skeletons.clone(),
+        surface: fire.surface,
+        shade: fire.shade,
+    };
+    let pairs = fires.iter().zip(&scene.wicks).flat_map(|(fire, wicks)| wicks.iter().map(move |w| (fire, w)));
+    Ok(pairs.map(flame).collect())
+}
+
+fn ms_since(start: Instant) -> f64 {
+    start.elapsed().as_secs_f64() * 1e3
 }

@@ -103,6 +103,10 @@ impl Flames {
         &self.sources
     }
 
+    pub(crate) fn current_sources(&self) -> &[Source] {
+        &self.sources
+    }
+
     /// Emits, carries and retires particles, after the air has made a step of `dt_s` seconds.
     pub fn step(&mut self, air: &impl Air, dt_s: f32) {
         self.flames.par_iter_mut().for_each(|flame| flame.step(air, dt_s));

@@ -11,6 +11,7 @@
 mod air;
 mod chains;
 mod check;
+mod drive;
 mod error;
 mod flame;
 mod flames;

@@ -51,7 +51,7 @@ pub(crate) fn add_lights(
             out.push(Light {
                 position: (*position / *power).to_array(),
                 radius_m: (radius / power).max(1e-4),
-                intensity: (color * *power).max(Vec3::ZERO).to_array(),
+                intensity: (color * *power).to_array(),
             });
         }
     }
@@ -60,7 +60,9 @@ pub(crate) fn add_lights(
 /// The mean point and the area vector of a ring of vertices.
 fn section(surface: &Surface, plan: &SurfacePlan, ring: usize) -> (Vec3, Vec3) {
     let ring = &surface.vertices[plan.ring(ring)];
-    let middle = ring.iter().map(|v| Vec3::from(v.position)).sum::<Vec3>() / ring.len() as f32;
+    // The last vertex repeats the first.
+    let once = &ring[1..];
+    let middle = once.iter().map(|v| Vec3::from(v.position)).sum::<Vec3>() / once.len() as f32;
     let twice = ring.windows(2).map(|w| {
         (Vec3::from(w[0].position) - middle).cross(Vec3::from(w[1].position) - middle)
     });

@@ -102,7 +102,7 @@ impl Default for Fuel {
             form: FuelForm::default(),
             strength_m_s2: 10.0,
             swing: Swing::Still,
-            heat_k_s: 0.0,
+            heat_k_s: 25_000.0,
         }
     }
 }
@@ -145,15 +145,15 @@ impl Default for Skeletons {
         Self {
             slices: 2,
             particles: 8,
-            lead_life_s: 0.12,
-            peripheral_life_s: 0.09,
-            width_m: 0.004,
-            expansion_m_s: 0.0,
+            lead_life_s: 0.1,
+            peripheral_life_s: 0.097,
+            width_m: 0.0026,
+            expansion_m_s: 0.13,
             lead_sway_s: [0.0; 3],
             peripheral_sway_s: [0.0; 3],
             shed_per_s: 0.0,
             free_life_s: 0.15,
-            taper: 0.7,
+            taper: 0.66,
             turbulence_m_s: 0.0,
             turbulence_m: 0.02,
         }

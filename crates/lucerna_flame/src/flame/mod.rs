@@ -14,6 +14,8 @@ use glam::Vec3;
 use lucerna_frame::blackbody_rgb;
 use std::sync::Arc;
 
+/// How much of its life a flame spans when it is lit; it grows from there.
+const KINDLING: f32 = 0.05;
 /// Most free flames of one flame.
 const MAX_FREE: usize = 12;
 
@@ -22,8 +24,10 @@ const MAX_FREE: usize = 12;
 pub struct Source {
     /// Where, m.
     pub position: Vec3,
-    /// Upward acceleration, m/s^2.
+    /// Upward acceleration of a cube of air with the edge `reach_m`, m/s^2.
     pub acceleration_m_s2: f32,
+    /// How far the push reaches, m.
+    pub reach_m: f32,
     /// Radius of the heated ball, m.
     pub radius_m: f32,
     /// Heating, K/s.
@@ -92,7 +96,7 @@ impl Flame {
             ..key
         };
         let mut rng = Pcg::new(seed);
-        let tongues = (0..leads).map(|_| Tongue { share: rng.next_unit(), reach: 1.0, cut: None }).collect();
+        let tongues = (0..leads).map(|_| Tongue { share: rng.next_unit(), reach: KINDLING, cut: None }).collect();
         let rest = roots.leads.iter().map(|l| l.position).chain(roots.peripherals.iter().map(|p| p.position));
         let chains = Chains::new(rest.collect(), s.lead_life_s, s.width_m);
         let pool = if s.shed_per_s > 0.0 { (2.0 * s.shed_per_s * s.free_life_s).ceil() as usize + 1 } else { 0 };
@@ -149,14 +153,16 @@ impl Flame {
             out.push(Source {
                 position: self.chains.root(i),
                 acceleration_m_s2: 0.5 * acceleration,
-                radius_m: s.width_m,
+                reach_m: 2.0 * s.width_m,
+                radius_m: 2.0 * s.width_m,
                 heat_k_s: fuel.heat_k_s * share,
             });
             for (r, _) in rows.iter().enumerate().filter(|(_, row)| row.lead == i) {
                 out.push(Source {
                     position: self.chains.root(leads.len() + r),
                     acceleration_m_s2: 0.5 * acceleration / beside,
-                    radius_m: s.width_m,
+                    reach_m: 2.0 * s.width_m,
+                radius_m: 2.0 * s.width_m,
                     heat_k_s: 0.0,
                 });
             }
@@ -168,7 +174,7 @@ impl Flame {
         let s = &self.settings.skeletons;
         let leads = self.roots.leads.len();
         // The gas expands while it is young: outward speed v e^(-age / t), integrated exactly.
-        let t = 0.3 * s.peripheral_life_s;
+        let t = 0.5 * s.peripheral_life_s;
         let (life, size, drift) = (s.lead_life_s, s.turbulence_m, self.drift_m as f32);
         let (rows, eddies) = (&self.roots.peripherals, hash(self.seed) as u32);
         self.chains.step(air, dt_s, |k, age, point| {

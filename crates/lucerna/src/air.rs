@@ -1,0 +1,73 @@
+//! The air of a scene.
+
+use glam::Vec3;
+use lucerna_fluid::{Fluid, FluidError, PressureSolver, Side, Sides};
+use lucerna_scene::{Air, AirSides, Pressure};
+
+/// Makes the air, at rest or moving with the wind.
+pub(crate) fn build(air: &Air) -> Result<Fluid, FluidError> {
+    let sides = match air.sides {
+        AirSides::Floor => Sides { y: [Side::Closed, Side::Open], ..Sides::OPEN },
+        AirSides::Open => Sides::OPEN,
+        AirSides::Closed => Sides::CLOSED,
+    };
+    Fluid::builder(air.cells.map(|n| n as usize))
+        .origin(air.origin_m.into())
+        .size_m(air.size_m.into())
+        .sides(sides)
+        .wind(air.wind_m_s.into())
+        .viscosity_m2_s(air.viscosity_m2_s)
+        .vorticity_confinement(air.vorticity_confinement)
+        .ambient_k(air.ambient_k)
+        .cooling_per_s(air.cooling_per_s)
+        .pressure(match air.pressure {
+            Pressure::Direct => PressureSolver::Direct,
+            Pressure::GaussSeidel(sweeps) => PressureSolver::GaussSeidel { sweeps },
+        })
+        .build()
+}
+
+/// Whether the two need the same grid, so that the air can go on as it is.
+pub(crate) fn same_grid(a: &Air, b: &Air) -> bool {
+    (a.origin_m, a.size_m, a.cells, a.pressure, a.sides) == (b.origin_m, b.size_m, b.cells, b.pressure, b.sides)
+}
+
+/// Takes over what can change while the air moves.
+pub(crate) fn adjust(fluid: &mut Fluid, air: &Air) -> Result<(), FluidError> {
+    fluid.set_wind(air.wind_m_s.into())?;
+    fluid.set_viscosity_m2_s(air.viscosity_m2_s)?;
+    fluid.set_vorticity_confinement(air.vorticity_confinement)?;
+    fluid.set_ambient_k(air.ambient_k)?;
+    fluid.set_cooling_per_s(air.cooling_per_s)
+}
+
+/// The buoyancy of paper 003's authors: every cell of row j is pushed up by `B n_y / j`.
+pub(crate) fn add_row_buoyancy(fluid: &mut Fluid, air: &Air) -> Result<(), FluidError> {
+    if air.row_buoyancy_m_s2 > 0.0 {
+        let rows = fluid.cells()[1];
+        for j in 1..rows {
+            fluid.add_row_acceleration(j, air.row_buoyancy_m_s2 * rows as f32 / j as f32)?;
+        }
+    }
+    Ok(())
+}
+
+/// The two ends of each of the twelve edges of the box.
+pub(crate) fn edges(fluid: &Fluid) -> impl Iterator<Item = [Vec3; 2]> {
+    let (low, size) = (fluid.origin(), fluid.size_m());
+    [Vec3::X, Vec3::Y, Vec3::Z].into_iter().enumerate().flat_map(move |(axis, along)| {
+        let mut others = [Vec3::X, Vec3::Y, Vec3::Z];
+        others[axis] = Vec3::ZERO;
+        (0..4_u8).map(move |corner| {
+            let mut at = Vec3::ZERO;
+            let mut bit = 0;
+            for (other, unit) in others.into_iter().enumerate() {
+                if other != axis {
+                    at += unit * f32::from((corner >> bit) & 1);
+                    bit += 1;
+                }
+            }
+            [low + at * size, low + (at + along) * size]
+        })
+    })
+}

@@ -1,0 +1,76 @@
+//! Flames in the air of `lucerna_fluid`: how it carries them, and how their roots drive it.
+
+use crate::{Air, Flames, Source};
+use glam::Vec3;
+use lucerna_fluid::{Fluid, FluidError};
+
+impl Air for Fluid {
+    fn velocity(&self, point: Vec3) -> Vec3 {
+        Fluid::velocity(self, point)
+    }
+    fn bounds(&self) -> (Vec3, Vec3) {
+        (self.origin(), self.origin() + self.size_m())
+    }
+    fn carry(&self, points: &mut [Vec3], dt_s: f32) {
+        self.advect_points(points, dt_s);
+    }
+}
+
+impl Source {
+    /// Adds the source to the coming step of the air.
+    ///
+    /// The paper pushes the one voxel that holds the root. Here the push fades linearly to zero at
+    /// `reach_m` along each axis, so that a flame stays put when its root is not in the middle of
+    /// a voxel or sways from one to the next, and finer grids do not weaken it.
+    ///
+    /// # Errors
+    /// When a number is outside what the air accepts.
+    pub fn add_to(&self, fluid: &mut Fluid) -> Result<(), FluidError> {
+        if self.heat_k_s > 0.0 {
+            fluid.add_heat(self.position, self.radius_m, self.heat_k_s)?;
+        }
+        if self.acceleration_m_s2 <= 0.0 {
+            return Ok(());
+        }
+        let cell = fluid.cell_size_m();
+        let reach = cell.max(Vec3::splat(self.reach_m));
+        let low = ((self.position - reach - fluid.origin()) / cell).max(Vec3::ZERO);
+        let high = (self.position + reach - fluid.origin()) / cell;
+        let [nx, ny, nz] = fluid.cells();
+        let range = |low: f32, high: f32, n: usize| low as usize..((high + 1.0).max(0.0) as usize).min(n);
+        let near = |i: usize, j: usize, k: usize, fluid: &Fluid| {
+            let centre = fluid.origin() + cell * (Vec3::new(i as f32, j as f32, k as f32) + 0.5);
+            let tent = (Vec3::ONE - (centre - self.position).abs() / reach).max(Vec3::ZERO);
+            (centre, tent.x * tent.y * tent.z)
+        };
+        let cells = || {
+            let (xs, ys, zs) = (range(low.x, high.x, nx), range(low.y, high.y, ny), range(low.z, high.z, nz));
+            zs.flat_map(move |k| ys.clone().map(move |j| (j, k)))
+                .flat_map(move |(j, k)| xs.clone().map(move |i| (i, j, k)))
+        };
+        let total: f32 = cells().map(|(i, j, k)| near(i, j, k, fluid).1).sum();
+        if total <= 0.0 {
+            return Ok(());
+        }
+        // The same momentum on any grid: that of a cube of air with the edge `reach_m`.
+        let each = self.acceleration_m_s2 * self.reach_m.powi(3) / (cell.x * cell.y * cell.z) / total;
+        for (i, j, k) in cells() {
+            let (centre, weight) = near(i, j, k, fluid);
+            if weight > 0.0 {
+                fluid.add_acceleration(centre, Vec3::Y * (each * weight).min(1e5))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Flames {
+    /// Moves the roots with the air and adds what they do to its coming step.
+    ///
+    /// # Errors
+    /// When a number is outside what the air accepts.
+    pub fn drive(&mut self, fluid: &mut Fluid) -> Result<(), FluidError> {
+        self.sources(fluid);
+        self.current_sources().iter().try_for_each(|source| source.add_to(fluid))
+    }
+}
