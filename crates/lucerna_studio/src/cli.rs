@@ -1,17 +1,9 @@
 //! The command line: what can be said, its limits and its defaults.
 
+use crate::limits::{parse_exit_after, parse_fps, parse_frames, parse_size, parse_warmup};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use lucerna::frame::Shading;
 use std::path::PathBuf;
-
-/// Smallest and largest side of a picture in pixels.
-pub const SIDE_PX: std::ops::RangeInclusive<u32> = 16..=8192;
-/// Fewest and most frames of a run.
-pub const FRAMES: std::ops::RangeInclusive<u32> = 1..=100_000;
-/// Lowest and highest rate in frames per second.
-pub const FPS: std::ops::RangeInclusive<f64> = 1.0..=1000.0;
-/// Shortest and longest time in seconds that is simulated before the first frame.
-pub const WARMUP_S: std::ops::RangeInclusive<f64> = 0.0..=600.0;
 
 /// Real fire: look at it in a window or record it.
 #[derive(Debug, Parser)]
@@ -57,6 +49,7 @@ pub enum Command {
 
 /// The command line of an example: its scene is fixed, the rest is that of `view` and `render`.
 #[derive(Debug, Parser)]
+#[command(version, about = "A fire in a window, or recorded without one", long_about = None)]
 pub struct ExampleArgs {
     /// Draw without a window; --out, --report and --frames imply it.
     #[arg(long)]
@@ -149,43 +142,6 @@ impl From<ShadingArg> for Shading {
     }
 }
 
-fn parse_size(text: &str) -> Result<[u32; 2], String> {
-    let wrong = || format!("a size is written WIDTHxHEIGHT, such as 960x720, not \"{text}\"");
-    let (width, height) = text.split_once(['x', 'X']).ok_or_else(wrong)?;
-    let size = [width.parse::<u32>().map_err(|_| wrong())?, height.parse::<u32>().map_err(|_| wrong())?];
-    if size.iter().all(|side| SIDE_PX.contains(side)) {
-        Ok(size)
-    } else {
-        Err(format!("a size is 16x16 to 8192x8192, not {text}"))
-    }
-}
-
-fn parse_frames(text: &str) -> Result<u32, String> {
-    match text.parse::<u32>() {
-        Ok(frames) if FRAMES.contains(&frames) => Ok(frames),
-        _ => Err("the number of frames is 1 to 100000".into()),
-    }
-}
-
-fn parse_number(text: &str, range: &std::ops::RangeInclusive<f64>, what: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(value) if range.contains(&value) => Ok(value),
-        _ => Err(format!("{what} is {} to {}", range.start(), range.end())),
-    }
-}
-
-fn parse_fps(text: &str) -> Result<f64, String> {
-    parse_number(text, &FPS, "the number of frames per second")
-}
-
-fn parse_warmup(text: &str) -> Result<f64, String> {
-    parse_number(text, &WARMUP_S, "the warm-up in seconds")
-}
-
-fn parse_exit_after(text: &str) -> Result<f64, String> {
-    parse_number(text, &(0.0..=86_400.0), "the time in seconds")
-}
-
 /// A message of clap as one line: the paragraphs about usage and help are left out.
 #[must_use]
 pub fn one_line(error: &clap::Error) -> String {
@@ -254,7 +210,9 @@ mod tests {
 
     #[test]
     fn errors_fit_in_one_line() {
-        for bad in ["lucerna render", "lucerna render x --size 1x1", "lucerna burn", "lucerna view a --screenshot b.png"] {
+        for bad in
+            ["lucerna render", "lucerna render x --size 1x1", "lucerna burn", "lucerna view a --screenshot b.png"]
+        {
             let line = one_line(&program(bad).unwrap_err());
             assert!(line.starts_with("error: ") && !line.contains('\n') && !line.contains("Usage"), "{line}");
         }

@@ -1,70 +1,19 @@
 //! A run without a window: steps the world, draws, records and measures.
 
-use crate::cli::{RecordArgs, SceneArgs};
 use crate::gpu::{Gpu, TARGET_FORMAT, Target};
+use crate::job::Job;
 use crate::progress::Progress;
-use crate::record::{self, Output, Recorder};
+use crate::record::{self, Recorder};
 use crate::report::{self, Counts, Report, Timings};
 use anyhow::{Context, Result};
 use lucerna::render::{FireRenderer, Stage};
-use lucerna::scene::LoadedScene;
 use lucerna::{StageTimes, World};
-use std::path::PathBuf;
 use std::time::Instant;
 
-/// Size of a picture where none is given.
-const SIZE_PX: [u32; 2] = [960, 720];
-/// Length of an animation where none is given.
-const ANIMATION_S: f64 = 5.0;
 /// Frames of a measured run in which layers are counted.
 const COUNTED_FRAMES: u32 = 20;
-/// Longest time that the world is asked to step at once, so that no step is ever dropped.
-const SLICE_S: f64 = 1.0 / 30.0;
-
-/// A run with everything decided.
-#[derive(Clone, Debug)]
-pub struct Job {
-    /// What burns.
-    pub scene: LoadedScene,
-    /// The preset that was applied, for the report.
-    pub preset: Option<String>,
-    /// Number of frames, 1 or more.
-    pub frames: u32,
-    /// Frames per second of simulated time.
-    pub fps: f64,
-    /// Width and height.
-    pub size_px: [u32; 2],
-    /// Seconds simulated before the first frame.
-    pub warmup_s: f64,
-    /// Where the pictures go.
-    pub output: Option<Output>,
-    /// Where the report goes; without it nothing is measured.
-    pub report: Option<PathBuf>,
-}
-
-impl Job {
-    /// Fills in the defaults. Without an output and a report, `default_out` is written.
-    pub fn new(scene: LoadedScene, changes: &SceneArgs, args: &RecordArgs, default_out: PathBuf) -> Result<Self> {
-        let output = match (&args.out, &args.report) {
-            (Some(path), _) => Some(Output::new(path)?),
-            (None, Some(_)) => None,
-            (None, None) => Some(Output::Png(default_out)),
-        };
-        let animated = matches!(output, Some(Output::Gif(_)));
-        let fps = args.fps.unwrap_or(if animated { 20.0 } else { 30.0 });
-        let frames = args.frames.unwrap_or(if animated { (ANIMATION_S * fps).ceil() as u32 } else { 1 });
-        Ok(Self {
-            scene,
-            preset: changes.preset.clone(),
-            frames,
-            fps,
-            size_px: args.size.unwrap_or(SIZE_PX),
-            warmup_s: args.warmup,
-            output,
-            report: args.report.clone(),
-        })
-    }
-}
+/// Most fixed steps that the world is asked for at once, well below its cap, so that none is ever dropped.
+const STEPS_AT_ONCE: f64 = 4.0;
 
 /// Runs a job and says in words what was written, one line a file.
 pub fn run(job: &Job) -> Result<Vec<String>> {
@@ -131,13 +80,17 @@ impl<'a> Run<'a> {
         Ok(Self { job, gpu, target, renderer, world, timings, counts, rgb: Vec::new() })
     }
 
+    fn slices(&self, time_s: f64) -> u32 {
+        slices(time_s, f64::from(self.job.scene.scene.air.time_step_s))
+    }
+
     fn measured(&self) -> bool {
         self.job.report.is_some()
     }
 
     /// Lets the fire grow, and draws once where the first frame's time counts.
     fn warm_up(&mut self) -> Result<()> {
-        let slices = slices(self.job.warmup_s);
+        let slices = self.slices(self.job.warmup_s);
         let mut progress = Progress::new("warming up", u64::from(slices));
         for slice in 0..slices {
             self.step((self.job.warmup_s / f64::from(slices)) as f32)?;
@@ -160,7 +113,7 @@ impl<'a> Run<'a> {
     fn frame(&mut self, frame: u32) -> Result<()> {
         let started = Instant::now();
         let dt_s = 1.0 / self.job.fps;
-        let slices = slices(dt_s);
+        let slices = self.slices(dt_s);
         let mut times = StageTimes::default();
         for _ in 0..slices {
             let slice = self.step((dt_s / f64::from(slices)) as f32)?;
@@ -260,10 +213,10 @@ impl<'a> Run<'a> {
     }
 }
 
-/// Number of calls of the world that a time is cut into.
-fn slices(time_s: f64) -> u32 {
-    // A hair more than a slice is still one: 1/30 is not exact.
-    (time_s / SLICE_S - 1e-6).ceil().max(0.0) as u32
+/// Number of calls of the world that a time is cut into, given its fixed step.
+fn slices(time_s: f64, step_s: f64) -> u32 {
+    // A hair more than a slice is still one: times are not exact.
+    (time_s / (STEPS_AT_ONCE * step_s) - 1e-6).ceil().max(0.0) as u32
 }
 
 fn milliseconds(since: Instant) -> f64 {
@@ -276,6 +229,8 @@ mod tests {
 
     #[test]
     fn times_are_cut_into_slices_that_drop_nothing() {
-        assert_eq!([0.0, 1.0 / 1000.0, 1.0 / 30.0, 1.0 / 20.0, 1.0, 2.0].map(slices), [0, 1, 1, 2, 30, 60]);
+        let slices_at = |time_s| slices(time_s, 1.0 / 60.0);
+        assert_eq!([0.0, 1.0 / 1000.0, 1.0 / 30.0, 1.0 / 15.0, 1.0 / 12.0, 1.0].map(slices_at), [0, 1, 1, 1, 2, 15]);
+        assert_eq!(slices(1.0 / 30.0, 0.001), 9);
     }
 }

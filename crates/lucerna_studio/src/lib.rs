@@ -10,12 +10,14 @@
 //! }
 //! ```
 //!
-//! A run without a window goes `cli` -> [`scenes`] -> [`headless`] -> [`record`] and [`report`]; a run with one
-//! goes `cli` -> [`scenes`] -> [`window`]. Errors become one line and exit code 2 in [`program`].
+//! A run without a window goes [`cli`] -> [`scenes`] -> [`job`] -> [`headless`] -> [`record`] and [`report`]; a run with one
+//! goes [`cli`] -> [`scenes`] -> [`window`]. Errors become one line and exit code 2 in [`program`].
 
 pub mod cli;
 pub mod gpu;
 pub mod headless;
+pub mod job;
+pub mod limits;
 pub mod program;
 pub mod progress;
 pub mod record;

@@ -1,11 +1,12 @@
 //! What the program and the examples do with a command line, and how they fail: one line, exit code 2.
 
 use crate::cli::{Command, ExampleArgs, ProgramArgs, RecordArgs, SceneArgs, one_line};
-use crate::headless::{self, Job};
+use crate::headless;
+use crate::job::Job;
 use crate::progress::say;
-use crate::window::{self, WindowJob};
+use crate::window::{self, Outcome, WindowJob};
 use crate::{record, scenes};
-use anyhow::Result;
+use anyhow::{Result, bail};
 use clap::Parser;
 use lucerna::scene::{LoadedScene, Scene};
 use std::io::Write;
@@ -42,7 +43,10 @@ fn program(args: ProgramArgs) -> Result<()> {
                 record::check_file(path)?;
             }
             let loaded = scenes::open(&scene, &changes, |_| {})?;
-            window::run(WindowJob { name: scene, scene: loaded, preset: changes.preset, window, size })
+            match window::run(WindowJob { name: scene, scene: loaded, preset: changes.preset, window, size })? {
+                Outcome::Closed => Ok(()),
+                Outcome::NotOpened(error) => bail!("{error}; `lucerna render` draws without a window"),
+            }
         }
         Some(Command::Render { scene, changes, record, headless: _ }) => {
             let loaded = scenes::open(&scene, &changes, |_| {})?;
@@ -60,9 +64,9 @@ fn example(name: &str, adjust: impl FnOnce(&mut Scene), args: &ExampleArgs) -> R
     if !args.runs_headless() {
         let preset = args.changes.preset.clone();
         let (window, size) = (args.window.clone(), args.record.size);
-        match window::run(WindowJob { name: name.into(), scene: loaded.clone(), preset, window, size }) {
-            Ok(()) => return Ok(()),
-            Err(error) => say(&format!("{}; drawing without a window", message(&error))),
+        match window::run(WindowJob { name: name.into(), scene: loaded.clone(), preset, window, size })? {
+            Outcome::Closed => return Ok(()),
+            Outcome::NotOpened(error) => say(&format!("{}: drawing without a window", message(&error))),
         }
     }
     let folder = if Path::new("target").is_dir() { Path::new("target") } else { Path::new("") };

@@ -87,7 +87,8 @@ mod tests {
         for (index, color) in palette.iter().enumerate() {
             assert!((0..64).all(|i| usize::from(dither.index(*color, i % 8, i / 8)) == index));
         }
-        let mean: f32 = (0..64).map(|i| f32::from(palette[usize::from(dither.index([2, 1, 0], i % 8, i / 8))][0])).sum();
+        let mean: f32 =
+            (0..64).map(|i| f32::from(palette[usize::from(dither.index([2, 1, 0], i % 8, i / 8))][0])).sum();
         assert!((mean / 64.0 - 2.0).abs() < 0.2);
     }
 

@@ -5,7 +5,8 @@ use super::document::Document;
 use super::meters::Meters;
 use super::viewport::Viewport;
 use super::{WindowJob, orbit, panel};
-use crate::cli::{SIDE_PX, WindowArgs};
+use crate::cli::WindowArgs;
+use crate::limits::SIDE_PX;
 use crate::progress::say;
 use anyhow::Result;
 use egui::{Color32, Key, PointerButton, Rect, Sense, ViewportCommand};
@@ -71,8 +72,10 @@ impl App {
     ) -> Result<Self> {
         context.egui_ctx.set_theme(egui::Theme::Dark);
         let viewport = Viewport::new(context)?;
+        let mut world = World::new(job.scene.clone())?;
+        warm_up(&mut world)?;
         Ok(Self {
-            world: light(&job.scene)?,
+            world,
             document: Document::new(job.name, job.scene),
             viewport,
             meters: Meters::default(),
@@ -125,7 +128,9 @@ impl App {
             }
             Command::Open(name) => {
                 let document = Document::open(&name)?;
-                self.world = light(document.active())?;
+                // The same world goes on, so that its meshes are known to have changed.
+                self.world.set_scene(document.active().clone())?;
+                warm_up(&mut self.world)?;
                 self.document = document;
                 self.view.preset = None;
                 self.view.notice = None;
@@ -165,7 +170,8 @@ impl App {
         self.document.apply(&mut self.world);
         self.world.set_debug_lines(self.view.lines);
 
-        let side = |points: f32| ((points * ui.pixels_per_point()).round() as u32).clamp(*SIDE_PX.start(), *SIDE_PX.end());
+        let side =
+            |points: f32| ((points * ui.pixels_per_point()).round() as u32).clamp(*SIDE_PX.start(), *SIDE_PX.end());
         let size_px = [side(rect.width()), side(rect.height())];
         let scene = &self.document.active().scene;
         let (look, counted) = ((&scene.camera, &scene.look), self.view.layers_counted);
@@ -202,7 +208,7 @@ impl eframe::App for App {
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
         let seconds = self.meters.begin_frame();
         self.keys(ui);
-        egui::Panel::right("panel").default_size(390.0).show(ui, |ui| {
+        egui::Panel::right("panel").default_size(370.0).show(ui, |ui| {
             panel::show(ui, &mut self.document, &mut self.view, &self.meters, &self.world, self.viewport.adapter());
         });
         for command in std::mem::take(&mut self.view.commands) {
@@ -217,11 +223,10 @@ impl eframe::App for App {
     }
 }
 
-/// A world whose fire already burns.
-fn light(scene: &lucerna::scene::LoadedScene) -> Result<World> {
-    let mut world = World::new(scene.clone())?;
+/// Lets the fire grow before it is shown.
+fn warm_up(world: &mut World) -> Result<()> {
     for _ in 0..30 {
         world.step(WARMUP_S / 30.0)?;
     }
-    Ok(world)
+    Ok(())
 }

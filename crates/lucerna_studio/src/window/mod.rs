@@ -19,9 +19,10 @@ mod widgets;
 use crate::cli::WindowArgs;
 use crate::gpu;
 use anyhow::{Result, anyhow, bail};
+use app::App;
 use eframe::egui_wgpu::{WgpuConfiguration, WgpuSetupCreateNew};
 use lucerna::scene::LoadedScene;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Size of a window in points where none is given.
 const SIZE: [u32; 2] = [1280, 800];
@@ -41,9 +42,20 @@ pub struct WindowJob {
     pub size: Option<[u32; 2]>,
 }
 
-/// Opens a window and returns when it is closed; fails where no window can be opened.
-pub fn run(job: WindowJob) -> Result<()> {
-    check_display()?;
+/// What became of a window.
+#[derive(Debug)]
+pub enum Outcome {
+    /// It was open and has been closed.
+    Closed,
+    /// It could not be opened, for this reason.
+    NotOpened(anyhow::Error),
+}
+
+/// Opens a window and returns when it is closed.
+pub fn run(job: WindowJob) -> Result<Outcome> {
+    if let Err(error) = check_display() {
+        return Ok(Outcome::NotOpened(error));
+    }
     let mut setup = WgpuSetupCreateNew::without_display_handle();
     setup.instance_descriptor.backends = wgpu::Backends::PRIMARY;
     setup.device_descriptor = Arc::new(|_| gpu::device_descriptor());
@@ -56,16 +68,22 @@ pub fn run(job: WindowJob) -> Result<()> {
         dithering: false,
         ..Default::default()
     };
-    let outcome = Arc::new(std::sync::Mutex::new(Ok(())));
-    let app_outcome = Arc::clone(&outcome);
+    let result = Arc::new(Mutex::new(Ok(())));
+    let app_result = Arc::clone(&result);
     let title = format!("Lucerna: {}", job.scene.scene.name);
-    eframe::run_native(
-        &title,
-        options,
-        Box::new(move |context| Ok(Box::new(app::App::new(context, job, app_outcome).map_err(anyhow::Error::into_boxed_dyn_error)?))),
-    )
-    .map_err(|error| anyhow!("no window could be opened: {error}"))?;
-    std::mem::replace(&mut *outcome.lock().unwrap_or_else(std::sync::PoisonError::into_inner), Ok(()))
+    let make = move |context: &eframe::CreationContext<'_>| {
+        let app = App::new(context, job, app_result).map_err(anyhow::Error::into_boxed_dyn_error)?;
+        Ok(Box::new(app) as Box<dyn eframe::App>)
+    };
+    match eframe::run_native(&title, options, Box::new(make)) {
+        Ok(()) => {
+            let mut result = result.lock().unwrap_or_else(PoisonError::into_inner);
+            std::mem::replace(&mut *result, Ok(())).map(|()| Outcome::Closed)
+        }
+        Err(eframe::Error::AppCreation(error)) => Err(anyhow!(error)),
+        Err(eframe::Error::WinitEventLoop(_)) => Ok(Outcome::NotOpened(anyhow!("the display cannot be reached"))),
+        Err(error) => Ok(Outcome::NotOpened(anyhow!("no window could be opened: {error}"))),
+    }
 }
 
 /// Says early and plainly that there is no display.

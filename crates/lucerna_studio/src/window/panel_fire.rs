@@ -29,7 +29,14 @@ fn wicks(ui: &mut Ui, wicks: &mut [WickSource]) {
             WickSource::Mesh { position_m, scale, .. } => {
                 let tooltip = "Where the origin of the wick's file goes; the fire starts anew.";
                 vector(ui, position_m, -10.0..=10.0, (&name("position"), "m", 0.001), tooltip);
-                log_slider(ui, scale, 0.01..=100.0, &name("scale"), "x", "Scale of the wick's file; the fire starts anew.");
+                log_slider(
+                    ui,
+                    scale,
+                    0.01..=100.0,
+                    &name("scale"),
+                    "x",
+                    "Scale of the wick's file; the fire starts anew.",
+                );
             }
         }
     }
@@ -92,7 +99,14 @@ fn swing(ui: &mut Ui, swing: &mut Swing) {
         slider(ui, amplitude, 0.0..=2.0, "Amplitude", "x", "Size of the swing as a fraction of the strength.");
     }
     if let Some(frequency) = frequency {
-        slider(ui, frequency, 0.1..=20.0, "Frequency", "Hz", "How often the strength swings, or the slowest part of the noise.");
+        slider(
+            ui,
+            frequency,
+            0.1..=20.0,
+            "Frequency",
+            "Hz",
+            "How often the strength swings, or the slowest part of the noise.",
+        );
     }
 }
 

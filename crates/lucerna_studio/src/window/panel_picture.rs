@@ -36,7 +36,8 @@ fn debug(ui: &mut Ui, look: &mut Look, view: &mut View) {
         DebugView::Glow(_) => 4,
         DebugView::Opaque => 5,
     };
-    let names = ["final", "one peeled layer", "number of layers", "flames unblurred", "one blurred image", "opaque only"];
+    let names =
+        ["final", "one peeled layer", "number of layers", "flames unblurred", "one blurred image", "opaque only"];
     let views = [
         DebugView::Final,
         DebugView::Layer(0),

@@ -39,7 +39,8 @@ pub(super) fn show(ui: &mut Ui, meters: &Meters, world: &World, view: &mut View,
         if let Some(counted) = meters.layers {
             let tooltip = "Most flame surfaces behind any pixel: so many layers would show everything.";
             fact(ui, "Layers", &format!("{:7}", counted.layers), tooltip);
-            let tooltip = "Pixels times flames that were still open at the last peeled layer; 0 where nothing is missing.";
+            let tooltip =
+                "Pixels times flames that were still open at the last peeled layer; 0 where nothing is missing.";
             fact(ui, "Open", &format!("{:7}", counted.open_intervals), tooltip);
         }
     });

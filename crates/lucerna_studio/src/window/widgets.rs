@@ -5,13 +5,15 @@ use std::ops::RangeInclusive;
 
 /// A folding section of rows.
 pub(super) fn section(ui: &mut Ui, title: &str, open: bool, rows: impl FnOnce(&mut Ui)) {
-    egui::CollapsingHeader::new(egui::RichText::new(title).strong()).default_open(open).show(ui, |ui| table(ui, title, rows));
+    egui::CollapsingHeader::new(egui::RichText::new(title).strong())
+        .default_open(open)
+        .show(ui, |ui| table(ui, title, rows));
 }
 
 /// Rows in two columns.
 pub(super) fn table(ui: &mut Ui, id: &str, rows: impl FnOnce(&mut Ui)) {
     ui.spacing_mut().slider_width = 110.0;
-    Grid::new(id).num_columns(2).spacing([8.0, 5.0]).show(ui, rows);
+    Grid::new(id).num_columns(2).min_col_width(92.0).spacing([8.0, 5.0]).show(ui, rows);
 }
 
 /// A row of any control.
@@ -42,7 +44,9 @@ pub(super) fn log_slider<N: Numeric>(
     unit: &str,
     tooltip: &str,
 ) {
-    row(ui, label, tooltip, |ui| ui.add(bare(value, range, unit).logarithmic(true)));
+    // A range that begins at zero has no decades there: four are enough.
+    let smallest = if range.start().to_f64() > 0.0 { range.start().to_f64() } else { range.end().to_f64() * 1e-4 };
+    row(ui, label, tooltip, |ui| ui.add(bare(value, range, unit).logarithmic(true).smallest_positive(smallest)));
 }
 
 /// A slider keeps what a scene file says, even beyond its own ends.
@@ -86,7 +90,13 @@ pub(super) fn switch(ui: &mut Ui, value: &mut bool, label: &str, tooltip: &str) 
 }
 
 /// One of a few values.
-pub(super) fn choice<T: Clone + PartialEq>(ui: &mut Ui, value: &mut T, options: &[(&str, T)], label: &str, tooltip: &str) {
+pub(super) fn choice<T: Clone + PartialEq>(
+    ui: &mut Ui,
+    value: &mut T,
+    options: &[(&str, T)],
+    label: &str,
+    tooltip: &str,
+) {
     let selected = options.iter().position(|(_, option)| option == value);
     if let Some(chosen) = pick(ui, selected, options.iter().map(|(text, _)| *text), label, tooltip) {
         *value = options[chosen].1.clone();

@@ -1,0 +1,57 @@
+//! What a run without a window is to do, with every default filled in.
+
+use crate::cli::{RecordArgs, SceneArgs};
+use crate::record::Output;
+use anyhow::Result;
+use lucerna::scene::LoadedScene;
+use std::path::PathBuf;
+
+/// Size of a picture where none is given.
+const SIZE_PX: [u32; 2] = [960, 720];
+/// Length of an animation where none is given.
+const ANIMATION_S: f64 = 5.0;
+
+/// A run with everything decided.
+#[derive(Clone, Debug)]
+pub struct Job {
+    /// What burns.
+    pub scene: LoadedScene,
+    /// The preset that was applied, for the report.
+    pub preset: Option<String>,
+    /// Number of frames, 1 or more.
+    pub frames: u32,
+    /// Frames per second of simulated time.
+    pub fps: f64,
+    /// Width and height.
+    pub size_px: [u32; 2],
+    /// Seconds simulated before the first frame.
+    pub warmup_s: f64,
+    /// Where the pictures go.
+    pub output: Option<Output>,
+    /// Where the report goes; without it nothing is measured.
+    pub report: Option<PathBuf>,
+}
+
+impl Job {
+    /// Fills in the defaults. Without an output and a report, `default_out` is written.
+    pub fn new(scene: LoadedScene, changes: &SceneArgs, args: &RecordArgs, default_out: PathBuf) -> Result<Self> {
+        let output = match (&args.out, &args.report) {
+            (Some(path), _) => Some(Output::new(path)?),
+            (None, Some(_)) => None,
+            (None, None) => Some(Output::Png(default_out)),
+        };
+        let animated = matches!(output, Some(Output::Gif(_)));
+        let fps = args.fps.unwrap_or(if animated { 20.0 } else { 30.0 });
+        let frames = args.frames.unwrap_or(if animated { (ANIMATION_S * fps).ceil() as u32 } else { 1 });
+        Ok(Self {
+            scene,
+            preset: changes.preset.clone(),
+            frames,
+            fps,
+            size_px: args.size.unwrap_or(SIZE_PX),
+            warmup_s: args.warmup,
+            output,
+            report: args.report.clone(),
+        })
+    }
+}
