@@ -73,6 +73,8 @@ pub(crate) struct Shaping {
     pub(crate) outward: Vec3,
     /// Least distance outwards from the spine, m: the surface never turns inside out.
     pub(crate) least_m: f32,
+    /// Distances from the spine are bent to stay below this, m.
+    pub(crate) most_m: f32,
     /// How far the oldest point is drawn in, 0 to 1.
     pub(crate) taper: f32,
     /// Factor on distances from the spine: a closed cubic through four points passes at 2/3 of their distance.
@@ -109,6 +111,9 @@ pub(crate) fn shape(spine: &Spine<'_>, row: &mut [Vec3], how: Shaping, heights: 
         let mut offset = *point;
         let least = how.least_m * narrow;
         offset += how.outward * (least - offset.dot(how.outward)).max(0.0);
+        // Eddies that tear a chain far away from its spine would stretch the surface to a sheet.
+        let far = (offset.length_squared() / (how.most_m * how.most_m)).min(1e12);
+        offset /= (1.0 + far * far).sqrt().sqrt();
         *point = spine.at(height * shrink) + offset * (narrow * how.spread);
     }
 }
@@ -139,7 +144,7 @@ mod tests {
         let spine = Spine { points: &points, lengths: &lengths };
         let raw: Vec<Vec3> = (0..9).map(|k| Vec3::new(0.1, 0.08 * k as f32, 0.0)).collect();
         let mut row = raw.clone();
-        let how = Shaping { outward: Vec3::X, least_m: 0.01, taper: 0.0, spread: 1.0 };
+        let how = Shaping { outward: Vec3::X, least_m: 0.01, most_m: 1e6, taper: 0.0, spread: 1.0 };
         shape(&spine, &mut row, how, &mut [0.0; 9]);
         assert!(row.iter().zip(&raw).all(|(a, b)| (*a - *b).length() < 1e-6), "{row:?}");
         let mut out = [[0.0; 3]; 11];
@@ -152,7 +157,7 @@ mod tests {
     fn chains_never_cross_or_overtake_their_spine() {
         let (points, lengths) = upright();
         let spine = Spine { points: &points, lengths: &lengths };
-        let how = Shaping { outward: Vec3::X, least_m: 0.01, taper: 0.5, spread: 1.0 };
+        let how = Shaping { outward: Vec3::X, least_m: 0.01, most_m: 0.2, taper: 0.5, spread: 1.0 };
         let mut row: Vec<Vec3> = (0..9).map(|k| Vec3::new(0.1 - 0.05 * k as f32, 0.3 * k as f32, 0.0)).collect();
         shape(&spine, &mut row, how, &mut [0.0; 9]);
         assert!(row.iter().all(|p| p.x > 0.0 && p.y <= 0.8), "{row:?}");

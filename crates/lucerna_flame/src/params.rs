@@ -160,6 +160,13 @@ impl Default for Skeletons {
     }
 }
 
+impl Skeletons {
+    /// Time in which the expansion of young gas dies away, s.
+    pub(crate) fn expansion_s(&self) -> f32 {
+        0.5 * self.peripheral_life_s
+    }
+}
+
 /// The NURBS surface over the skeletons.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]

@@ -31,7 +31,13 @@ impl Flame {
             let spine = Spine { points: &self.spines[range.clone()], lengths: &self.lengths[range] };
             let reach = self.tongues[root.lead].reach;
             self.chains.sample(leads + r, s.peripheral_life_s * reach / (points - 1) as f32, &mut self.row);
-            let how = Shaping { outward: root.outward, least_m: 0.15 * s.width_m, taper: s.taper, spread };
+            let how = Shaping {
+                outward: root.outward,
+                least_m: 0.15 * s.width_m,
+                most_m: 2.0 * (s.width_m + s.expansion_m_s * s.expansion_s()),
+                taper: s.taper,
+                spread,
+            };
             net::shape(&spine, &mut self.row, how, &mut self.heights);
             net::write_row(out, &spine, &self.row);
         }

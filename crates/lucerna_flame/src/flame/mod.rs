@@ -174,7 +174,7 @@ impl Flame {
         let s = &self.settings.skeletons;
         let leads = self.roots.leads.len();
         // The gas expands while it is young: outward speed v e^(-age / t), integrated exactly.
-        let t = 0.5 * s.peripheral_life_s;
+        let t = s.expansion_s();
         let (life, size, drift) = (s.lead_life_s, s.turbulence_m, self.drift_m as f32);
         let (rows, eddies) = (&self.roots.peripherals, hash(self.seed) as u32);
         self.chains.step(air, dt_s, |k, age, point| {
@@ -187,7 +187,7 @@ impl Flame {
                 // Anchored at the root, in full by half of the life. The eddies rise with the gas.
                 let ramp = (2.0 * age / life).min(1.0);
                 let at = (point - Vec3::Y * drift) / size;
-                let noise = noise_3d(eddies, at) + 0.5 * noise_3d(eddies ^ 1, at * 2.0);
+                let noise = noise_3d(eddies, at) + 0.35 * noise_3d(eddies ^ 1, at * 2.0);
                 push += noise * (s.turbulence_m_s * ramp * dt_s);
             }
             push
