@@ -33,32 +33,67 @@ impl Field {
     /// Trilinear sample at a place in cells from the low corner; clamped to the lattice.
     #[inline]
     pub(crate) fn sample(&self, at: [f32; 3]) -> f32 {
-        self.sample_lattice([at[0] - self.offset[0], at[1] - self.offset[1], at[2] - self.offset[2]])
+        let at = [0, 1, 2].map(|axis| [at[axis] - self.offset[axis]; 1]);
+        self.sample_lanes(at)[0]
     }
 
-    /// Trilinear sample at lattice coordinates; clamped to the lattice.
-    #[inline]
-    pub(crate) fn sample_lattice(&self, at: [f32; 3]) -> f32 {
+    /// Trilinear samples at `L` places in lattice coordinates (by axis, then lane); clamped to
+    /// the lattice, and what is not a number counts as zero. Lanes keep the arithmetic in
+    /// vector registers; only the loads are one by one.
+    #[inline(always)]
+    pub(crate) fn sample_lanes<const L: usize>(&self, at: [[f32; L]; 3]) -> [f32; L] {
         let [nx, ny, nz] = self.counts;
-        let (i, fx) = split(at[0], nx);
-        let (j, fy) = split(at[1], ny);
-        let (k, fz) = split(at[2], nz);
         let plane = nx * ny;
-        let base = i + nx * j + plane * k;
-        let (low, high) = (&self.data[base..base + nx + 2], &self.data[base + plane..base + plane + nx + 2]);
-        let along_x = |row: &[f32], at: usize| row[at] + fx * (row[at + 1] - row[at]);
-        let (a, b) = (along_x(low, 0), along_x(low, nx));
-        let (c, d) = (along_x(high, 0), along_x(high, nx));
-        let (e, f) = (a + fy * (b - a), c + fy * (d - c));
-        e + fz * (f - e)
+        let (whole_x, fx) = split(at[0], nx);
+        let (whole_y, fy) = split(at[1], ny);
+        let (whole_z, fz) = split(at[2], nz);
+        let mut corners = [[0.0_f32; L]; 8];
+        for lane in 0..L {
+            let base = whole_x[lane] as usize + nx * whole_y[lane] as usize + plane * whole_z[lane] as usize;
+            let low = &self.data[base..base + nx + 2];
+            let high = &self.data[base + plane..base + plane + nx + 2];
+            corners[0][lane] = low[0];
+            corners[1][lane] = low[1];
+            corners[2][lane] = low[nx];
+            corners[3][lane] = low[nx + 1];
+            corners[4][lane] = high[0];
+            corners[5][lane] = high[1];
+            corners[6][lane] = high[nx];
+            corners[7][lane] = high[nx + 1];
+        }
+        let [a, b, c, d, e, f, g, h] = corners;
+        let low = mix(mix(a, b, fx), mix(c, d, fx), fy);
+        let high = mix(mix(e, f, fx), mix(g, h, fx), fy);
+        mix(low, high, fz)
     }
 }
 
-/// Whole and fractional part of a lattice coordinate, clamped so that the next value exists.
-/// What is not a number counts as zero.
-#[inline]
-fn split(at: f32, count: usize) -> (usize, f32) {
-    let at = at.max(0.0).min((count - 1) as f32);
-    let whole = (at as i32 as usize).min(count - 2);
-    (whole, at - whole as f32)
+/// Adding it to a number below 2^22 leaves the nearest whole number in the low bits.
+const TO_WHOLE: f32 = 12_582_912.0;
+
+/// Whole and fractional part of lattice coordinates, clamped so that the next value exists.
+#[inline(always)]
+fn split<const L: usize>(at: [f32; L], count: usize) -> ([u32; L], [f32; L]) {
+    let (last, last_whole) = ((count - 1) as f32, (count - 2) as f32);
+    let (mut wholes, mut fractions) = ([0_u32; L], [0.0_f32; L]);
+    for lane in 0..L {
+        let at = if at[lane] > 0.0 { at[lane] } else { 0.0 };
+        let at = if at < last { at } else { last };
+        let nearest = (at + TO_WHOLE) - TO_WHOLE;
+        let whole = if nearest > at { nearest - 1.0 } else { nearest };
+        let whole = if whole < last_whole { whole } else { last_whole };
+        wholes[lane] = (whole + TO_WHOLE).to_bits() & 0x003f_ffff;
+        fractions[lane] = at - whole;
+    }
+    (wholes, fractions)
+}
+
+/// Linear interpolation, exact where both values are the same.
+#[inline(always)]
+fn mix<const L: usize>(a: [f32; L], b: [f32; L], share: [f32; L]) -> [f32; L] {
+    let mut out = [0.0; L];
+    for lane in 0..L {
+        out[lane] = a[lane] + share[lane] * (b[lane] - a[lane]);
+    }
+    out
 }

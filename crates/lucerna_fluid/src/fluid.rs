@@ -13,6 +13,7 @@ use crate::parallel::{Partial, reduce};
 use crate::pressure::{PressureSolver, Projected, Projection};
 use crate::report::StepReport;
 use crate::sides::Sides;
+use crate::transport::transport;
 use crate::viscosity::diffuse;
 
 /// What may change while the fluid runs.
@@ -49,7 +50,7 @@ pub struct Fluid {
     pub(crate) max_speed_m_s: f32,
     pub(crate) next_velocity: [Field; 3],
     pub(crate) next_temperature: Field,
-    trace: Vec<[f32; 3]>,
+    trace: Vec<f32>,
     confinement: Confinement,
     partials: Vec<Partial>,
 }
@@ -74,7 +75,7 @@ impl Fluid {
             max_speed_m_s: 0.0,
             next_velocity: faces(),
             next_temperature: Field::at_centres(&grid),
-            trace: vec![[0.0; 3]; grid.count()],
+            trace: vec![0.0; 3 * grid.count()],
             confinement: Confinement::new(&grid),
             partials: vec![Partial::default(); grid.cells[2] + 1],
             grid,
@@ -122,6 +123,15 @@ impl Fluid {
     /// A length of step out of its range; nothing has changed then.
     pub fn step(&mut self, dt_s: f32) -> Result<StepReport, FluidError> {
         check("dt_s", dt_s, f32::MIN_POSITIVE, MAX_DT_S, "above 0, up to 1e3 s")?;
+        if self.grid.is_parallel {
+            // Enter the thread pool once, not once for each pass over the planes.
+            Ok(rayon::scope(|_| self.advance(dt_s)))
+        } else {
+            Ok(self.advance(dt_s))
+        }
+    }
+
+    fn advance(&mut self, dt_s: f32) -> StepReport {
         self.carry(dt_s);
         self.push(dt_s);
         let wind = self.settings.wind_m_s.to_array();
@@ -134,7 +144,7 @@ impl Fluid {
         let expansion = self.sources.has_expansion.then_some(self.sources.expansion.as_slice());
         let projected = self.projection.project(&self.grid, &mut self.velocity, expansion);
         self.clear_sources();
-        Ok(self.report(dt_s, projected))
+        self.report(dt_s, projected)
     }
 
     /// Moves velocity and temperature with the air; then heats and cools.
@@ -145,11 +155,10 @@ impl Fluid {
         let mut allowed = forces::energy(grid, velocity, partials);
         for axis in 0..3 {
             let (from, to) = (&velocity[axis], &mut next_velocity[axis]);
-            allowed += advect(grid, from, Some(axis), trace, wind[axis], to, partials);
+            allowed += advect(grid, from, axis, trace, wind[axis], to, partials);
         }
-        advect(grid, temperature, None, trace, 0.0, next_temperature, partials);
+        transport(grid, velocity, dt_s, temperature, next_temperature, partials);
         std::mem::swap(velocity, next_velocity);
-        std::mem::swap(temperature, next_temperature);
         forces::fix_sides(grid, velocity, wind);
         if !self.sources.has_expansion {
             forces::limit_energy(grid, velocity, allowed, partials);

@@ -45,6 +45,7 @@ mod read;
 mod report;
 mod sides;
 mod sources;
+mod transport;
 mod viscosity;
 
 pub use builder::FluidBuilder;

@@ -35,3 +35,6 @@ pub(crate) const MAX_DIFFUSION_NUMBER: f64 = 1.0e4;
 
 /// Cells from which on planes are shared among threads: below, starting them costs more.
 pub(crate) const PARALLEL_CELLS: usize = 24 * 24 * 24;
+
+/// Most parts into which the transport of heat divides a step.
+pub(crate) const MAX_HEAT_STEPS: f32 = 32.0;

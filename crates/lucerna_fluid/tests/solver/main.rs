@@ -1,0 +1,7 @@
+//! The solver against what it promises, through its public interface only.
+
+mod flows;
+mod inputs;
+mod projection;
+mod robust;
+mod support;
