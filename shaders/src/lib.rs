@@ -41,7 +41,7 @@ pub const VOLUME: &str = concat!(
 /// Gaussian blur and its reduced sources: `vs_fullscreen`, `fs_blur`, `fs_shrink`.
 pub const BLUR: &str = concat!(include_str!("../wgsl/blur.wgsl"), include_str!("../wgsl/fullscreen.wgsl"));
 
-/// Composition into the target: `vs_fullscreen`, `fs_compose`, `fs_over`.
+/// Composition into the target: `vs_fullscreen`, `fs_compose`, `fs_over`, `fs_debug`.
 pub const COMPOSE: &str = concat!(
     include_str!("../wgsl/common.wgsl"),
     include_str!("../wgsl/compose.wgsl"),

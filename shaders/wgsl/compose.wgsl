@@ -93,7 +93,7 @@ fn heat_color(count: f32) -> vec3f {
     return select(vec3f(0.0), clamp(vec3f(2.0 * t - 0.5, 1.5 - abs(4.0 * t - 2.0), 1.2 - 2.5 * t), vec3f(0.03), vec3f(1.0)), count > 0.0);
 }
 
-fn debug_color(pixel: vec2i, uv: vec2f) -> vec3f {
+fn debug_color(pixel: vec2i) -> vec3f {
     switch compose.debug.x {
         case DEBUG_LAYER: {
             let packed = textureLoad(layer_surfaces, pixel, i32(compose.debug.y), 0).xy;
@@ -124,21 +124,21 @@ fn debug_light(pixel: vec2i, uv: vec2f) -> vec3f {
     }
 }
 
-fn debug_view(position: vec2f, uv: vec2f) -> vec4f {
-    let pixel = vec2i(position);
+// One of the intermediate targets. A pass of its own: on software drivers even a branch not taken costs.
+@fragment
+fn fs_debug(@builtin(position) position: vec4f) -> @location(0) vec4f {
+    let uv = position.xy / vec2f(view.size_layers_lights.xy);
+    let pixel = vec2i(position.xy);
     if compose.debug.x == DEBUG_LAYER || compose.debug.x == DEBUG_COUNT {
-        let color = debug_color(pixel, uv);
+        let color = debug_color(pixel);
         return vec4f(select(color, srgb(color), view.modes.z == 1u), 1.0);
     }
-    return vec4f(displayed(debug_light(pixel, uv), position), 1.0);
+    return vec4f(displayed(debug_light(pixel, uv), position.xy), 1.0);
 }
 
 @fragment
 fn fs_compose(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let uv = position.xy / vec2f(view.size_layers_lights.xy);
-    if compose.debug.x != 0u {
-        return debug_view(position.xy, uv);
-    }
     // The sharpest copy also says how much of the scene the soot hides: its edge must be as soft as the flame's.
     let sharpest = sharpest_at(position.xy, uv);
     let scene = textureLoad(opaque_color, vec2i(position.xy), 0).rgb;
@@ -149,9 +149,6 @@ fn fs_compose(@builtin(position) position: vec4f) -> @location(0) vec4f {
 @fragment
 fn fs_over(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let uv = position.xy / vec2f(view.size_layers_lights.xy);
-    if compose.debug.x != 0u {
-        return debug_view(position.xy, uv);
-    }
     let sharpest = sharpest_at(position.xy, uv);
     return vec4f(displayed(glow_at(sharpest.rgb, position.xy, uv), position.xy), sharpest.a);
 }

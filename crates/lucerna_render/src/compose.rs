@@ -62,7 +62,8 @@ impl FireRenderer {
             })],
             ..Default::default()
         });
-        pass.set_pipeline(&self.pipelines.compose[usize::from(over)]);
+        let which = if self.debug == DebugView::Final { usize::from(over) } else { 2 };
+        pass.set_pipeline(&self.pipelines.compose[which]);
         pass.set_bind_group(0, &self.common_group, &[]);
         pass.set_bind_group(1, &targets.compose_group, &[]);
         pass.draw(0..3, 0..1);

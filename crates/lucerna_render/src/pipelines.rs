@@ -123,8 +123,8 @@ pub(crate) struct Pipelines {
     pub(crate) volume: RenderPipeline,
     pub(crate) blur: RenderPipeline,
     pub(crate) shrink: RenderPipeline,
-    /// Onto a fresh target, and over what is there.
-    pub(crate) compose: [RenderPipeline; 2],
+    /// Onto a fresh target, over what is there, and of one intermediate target.
+    pub(crate) compose: [RenderPipeline; 3],
     pub(crate) lines: RenderPipeline,
 }
 
@@ -280,6 +280,7 @@ impl Pipelines {
         let compose = [
             full(device, "compose", &source, &groups, "fs_compose", target.into()),
             full(device, "compose over", &source, &groups, "fs_over", blended(target, OVER)),
+            full(device, "debug view", &source, &groups, "fs_debug", target.into()),
         ];
         let source = module("lines", wgsl::LINES);
         let lines = Recipe {
