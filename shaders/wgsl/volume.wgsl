@@ -96,6 +96,20 @@ fn interval(ray: Ray, enter: Layer, leave: Layer, from_m: f32, to_m: f32) -> Lig
     return out;
 }
 
+// An interval of which only the entry is known: smooth gas over the chord of a round flame.
+fn open_interval(ray: Ray, enter: Layer, from_m: f32) -> Light3 {
+    var out: Light3;
+    let flame = flames[enter.flame];
+    let chord = min(2.0 * enter.radius * enter.facing, max(ray.end - from_m, 0.0));
+    let grown = smoothstep(flame.soot_begin, flame.soot_full, enter.height);
+    let fading = pow(clamp((1.0 - enter.height) / max(flame.tip_fade, 1e-4), 0.0, 1.0), 0.6);
+    // The mean of 1 - q^2 over a chord is two thirds of facing^2.
+    let mean = enter.facing * enter.facing / 1.5;
+    out.depth = chord * mean * grown * fading * flame.soot_per_m * flame.strength;
+    out.soot = flame.hot.rgb * flame.tint * out.depth;
+    return out;
+}
+
 @fragment
 fn fs_volume(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let pixel = vec2i(position.xy);
@@ -152,37 +166,32 @@ fn fs_volume(@builtin(position) position: vec4f) -> @location(0) vec4f {
             opened[slot].count += 1;
             continue;
         }
+        var enter = opened[slot].packed;
+        var from_m = opened[slot].distance;
         if is_new {
             // The first face of this flame is a back face: the eye is inside of it, unless the front face lies at the
             // same depth (a silhouette), where the ray was not inside at all.
             opened[slot].packed = packed;
-            if flames[flame - 1u].hot.w == 0.0 {
+            enter = packed;
+            from_m = select(here, 2.0 * ray.begin - here, flames[flame - 1u].hot.w == 1.0);
+        } else {
+            opened[slot].count -= 1;
+            if opened[slot].count != 0 {
+                // Left a fold within the flame, or a face without an entry.
+                opened[slot].count = max(opened[slot].count, 0);
                 continue;
             }
-            let leave = unpack_layer(packed);
-            let light = interval(ray, leave, leave, 2.0 * ray.begin - here, here);
-            soot += light.soot;
-            blue += light.blue;
-            depth += light.depth;
-            continue;
         }
-        opened[slot].count -= 1;
-        if opened[slot].count == 0 {
-            let light = interval(ray, unpack_layer(opened[slot].packed), unpack_layer(packed), opened[slot].distance, here);
-            soot += light.soot;
-            blue += light.blue;
-            depth += light.depth;
-        }
-        opened[slot].count = max(opened[slot].count, 0);
+        let light = interval(ray, unpack_layer(enter), unpack_layer(packed), from_m, here);
+        soot += light.soot;
+        blue += light.blue;
+        depth += light.depth;
     }
     // Still inside when the layers ran out: the chord of a round flame entered at this angle ends it.
     for (var slot = 0u; slot < used && !layers_left; slot++) {
         if opened[slot].count > 0 {
-            let enter = unpack_layer(opened[slot].packed);
-            let chord = 2.0 * enter.radius * enter.facing;
-            let light = interval(ray, enter, enter, opened[slot].distance, opened[slot].distance + chord);
+            let light = open_interval(ray, unpack_layer(opened[slot].packed), opened[slot].distance);
             soot += light.soot;
-            blue += light.blue;
             depth += light.depth;
             atomicAdd(&open_intervals, 1u);
         }
