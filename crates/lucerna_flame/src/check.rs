@@ -26,10 +26,9 @@ impl Skeletons {
         in_range("skeletons.lead_life_s", life, least, 60.0, "peripheral_life_s to 60")?;
         in_range("skeletons.width_m", self.width_m, 1e-5, 100.0, "1e-5 to 100")?;
         in_range("skeletons.expansion_m_s", self.expansion_m_s, 0.0, 100.0, "0 to 100")?;
-        for (field, sway) in [
-            ("skeletons.lead_sway_s", self.lead_sway_s),
-            ("skeletons.peripheral_sway_s", self.peripheral_sway_s),
-        ] {
+        for (field, sway) in
+            [("skeletons.lead_sway_s", self.lead_sway_s), ("skeletons.peripheral_sway_s", self.peripheral_sway_s)]
+        {
             sway.iter().try_for_each(|&s| in_range(field, s, -10.0, 10.0, "-10 to 10"))?;
         }
         in_range("skeletons.shed_per_s", self.shed_per_s, 0.0, 100.0, "0 to 100")?;

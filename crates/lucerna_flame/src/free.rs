@@ -4,7 +4,7 @@ use crate::air::{Air, keep_inside};
 use crate::net::{self, Spine};
 use crate::random::Fnv;
 use crate::surface::Surface;
-use glam::Vec3;
+use glam::{Mat3, Vec3};
 
 /// Time over which a broken tip draws back and its free flame appears, s.
 pub(crate) const BREAK_S: f32 = 0.04;
@@ -18,8 +18,10 @@ pub(crate) struct Free {
     pub(crate) burning: bool,
     age_s: f32,
     life_s: f32,
-    /// Five chains of M + 1 points, bottom first: the spine, then the rows.
+    /// Five chains of M + 1 points, bottom first: the spine, then the rows in the frame of the spine (see `frame`).
     points: Vec<Vec3>,
+    /// The side to which the frame's first axis points.
+    side: Vec3,
     lengths: Vec<f32>,
     shaped: Vec<Vec3>,
     pub(crate) net: Vec<[f32; 3]>,
@@ -42,24 +44,27 @@ impl Free {
         self.lengths.len()
     }
 
-    /// Lights it; the caller fills the returned chains: the spine, then the rows, clockwise from above.
-    pub(crate) fn light(&mut self, life_s: f32) -> &mut [Vec3] {
+    /// Lights it; the caller fills the returned chains: the spine, then the four rows in its frame, clockwise
+    /// seen from its tip.
+    pub(crate) fn light(&mut self, life_s: f32, side: Vec3) -> &mut [Vec3] {
+        self.side = side;
         self.burning = true;
         self.age_s = 0.0;
         self.life_s = life_s;
         &mut self.points
     }
 
-    /// Carries it with the air.
+    /// Carries it with the air. Only the spine moves freely: left to themselves the slower rows would fall
+    /// behind and turn so short a flame inside out.
     pub(crate) fn step(&mut self, air: &impl Air, dt_s: f32) {
         self.age_s += dt_s;
         self.burning &= self.age_s < self.life_s;
         if self.burning {
-            air.carry(&mut self.points, dt_s);
-            let (bounds, n) = (air.bounds(), self.count());
-            for i in 0..self.points.len() {
-                self.points[i] = keep_inside(self.points[i], bounds, self.points[i % n]);
-            }
+            let n = self.count();
+            let spine = &mut self.points[..n];
+            air.carry(spine, dt_s);
+            let bounds = air.bounds();
+            spine.iter_mut().for_each(|p| *p = keep_inside(*p, bounds, bounds.1));
         }
     }
 
@@ -82,8 +87,8 @@ impl Free {
             for (k, (point, centre)) in self.shaped.iter_mut().zip(spine.points).enumerate() {
                 // The cut rounds itself off soon after it was made.
                 let y = 1.0 - k as f32 / (n - 1) as f32;
-                let round = 1.0 - (0.4 + 0.6 * (4.0 * x).min(1.0)) * y * y * y;
-                *point = *centre + (row[k] - *centre) * (round * size);
+                let round = 1.0 - (0.6 + 0.4 * (5.0 * x).min(1.0)) * y * y;
+                *point = *centre + frame(direction(spine.points, k), self.side) * row[k] * (round * size);
             }
             let out = &mut self.net[r * (n + 2)..][..n + 2];
             net::write_row(out, &spine, &self.shaped);
@@ -98,7 +103,19 @@ impl Free {
         fnv.word(u64::from(self.burning));
         if self.burning {
             fnv.float(self.age_s);
+            fnv.point(self.side);
             self.points.iter().for_each(|p| fnv.point(*p));
         }
     }
+}
+
+/// The direction of a line at one of its points.
+pub(crate) fn direction(line: &[Vec3], k: usize) -> Vec3 {
+    (line[(k + 1).min(line.len() - 1)] - line[k.saturating_sub(1)]).normalize_or(Vec3::Y)
+}
+
+/// Axes about a spine: across it towards `side`, across it the other way, along it.
+pub(crate) fn frame(along: Vec3, side: Vec3) -> Mat3 {
+    let across = side.reject_from_normalized(along).normalize_or(along.any_orthonormal_vector());
+    Mat3::from_cols(across, along.cross(across), along)
 }

@@ -30,8 +30,6 @@ pub use air::{Air, UniformAir};
 pub use error::FlameError;
 pub use flame::Source;
 pub use flames::{Flames, MAX_FLAMES};
-pub use params::{
-    FlameSettings, Fuel, FuelDistribution, FuelForm, Skeletons, SurfaceGrid, Swing, WickShape,
-};
+pub use params::{FlameSettings, Fuel, FuelDistribution, FuelForm, Skeletons, SurfaceGrid, Swing, WickShape};
 pub use roots::{LeadRoot, PeripheralRoot, Roots, lead_of_row};
 pub use wick::{Centreline, MAX_WICK_POINTS};

@@ -63,9 +63,7 @@ fn section(surface: &Surface, plan: &SurfacePlan, ring: usize) -> (Vec3, Vec3) {
     // The last vertex repeats the first.
     let once = &ring[1..];
     let middle = once.iter().map(|v| Vec3::from(v.position)).sum::<Vec3>() / once.len() as f32;
-    let twice = ring.windows(2).map(|w| {
-        (Vec3::from(w[0].position) - middle).cross(Vec3::from(w[1].position) - middle)
-    });
+    let twice = ring.windows(2).map(|w| (Vec3::from(w[0].position) - middle).cross(Vec3::from(w[1].position) - middle));
     (middle, 0.5 * twice.sum::<Vec3>())
 }
 

@@ -60,8 +60,11 @@ impl Roots {
     }
 
     fn around(centre: Vec3, width_m: f32) -> Self {
-        let peripherals = [Vec3::X, Vec3::Z, Vec3::NEG_X, Vec3::NEG_Z]
-            .map(|outward| PeripheralRoot { position: centre + outward * width_m, outward, lead: 0 });
+        let peripherals = [Vec3::X, Vec3::Z, Vec3::NEG_X, Vec3::NEG_Z].map(|outward| PeripheralRoot {
+            position: centre + outward * width_m,
+            outward,
+            lead: 0,
+        });
         Self { leads: vec![LeadRoot { position: centre, u: 0.0 }], peripherals: peripherals.to_vec() }
     }
 
@@ -133,9 +136,7 @@ mod tests {
         for line in [bent, Centreline::Point(Vec3::ONE)] {
             let roots = Roots::place(&line, 3, 0.01);
             let rim = &roots.peripherals;
-            let twice: f32 = (0..rim.len())
-                .map(|i| rim[i].position.cross(rim[(i + 1) % rim.len()].position).y)
-                .sum();
+            let twice: f32 = (0..rim.len()).map(|i| rim[i].position.cross(rim[(i + 1) % rim.len()].position).y).sum();
             assert!(twice < 0.0, "{twice}");
         }
     }

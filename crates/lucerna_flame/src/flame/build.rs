@@ -4,7 +4,11 @@ use super::Flame;
 use crate::net::{self, Shaping, Spine};
 use crate::random::Fnv;
 use crate::surface::Surface;
+use glam::Vec3;
 use lucerna_frame::FlameShade;
+
+/// Least distance of neighbouring lead skeletons along the wick, as a share of that of their roots.
+const LEAST_GAP: f32 = 0.25;
 
 impl Flame {
     /// Reads the lead chains at their fixed ages.
@@ -15,6 +19,30 @@ impl Flame {
         for (i, ((spine, lengths), tongue)) in spines.zip(&self.tongues).enumerate() {
             self.chains.sample(i, s.lead_life_s * tongue.reach / (points - 1) as f32, spine);
             net::measure(spine, lengths, s.width_m);
+        }
+        self.part_spines();
+    }
+
+    /// Keeps the lead skeletons in the order of their roots: where two crossed, the surface would turn over.
+    fn part_spines(&mut self) {
+        let (points, leads) = (self.row.len(), self.roots.leads.len());
+        let middle = leads / 2;
+        let apart = |spines: &mut [Vec3], lengths: &mut [f32], fixed: usize, moved: usize| {
+            let rest = self.roots.leads[moved].position - self.roots.leads[fixed].position;
+            let flat = rest.with_y(0.0);
+            let (away, least) = (flat.normalize_or_zero(), LEAST_GAP * flat.length());
+            for k in 0..points {
+                let gap = spines[moved * points + k] - spines[fixed * points + k];
+                spines[moved * points + k] += away * (least - gap.dot(away)).max(0.0);
+            }
+            let range = moved * points..(moved + 1) * points;
+            net::measure(&mut spines[range.clone()], &mut lengths[range], 0.0);
+        };
+        for moved in middle + 1..leads {
+            apart(&mut self.spines, &mut self.lengths, moved - 1, moved);
+        }
+        for moved in (0..middle).rev() {
+            apart(&mut self.spines, &mut self.lengths, moved + 1, moved);
         }
     }
 
@@ -59,14 +87,8 @@ impl Flame {
         let free = self.free.iter().filter(|f| f.burning).map(move |f| {
             // A free flame has left the wick: it is soot from end to end, without a blue zone.
             let strength = shade.strength * f.strength();
-            let loose = FlameShade {
-                soot_begin: 0.0,
-                soot_full: 0.2,
-                blue_per_m: 0.0,
-                dark_radius: 0.0,
-                strength,
-                ..shade
-            };
+            let loose =
+                FlameShade { soot_begin: 0.0, soot_full: 0.2, blue_per_m: 0.0, dark_radius: 0.0, strength, ..shade };
             (&f.surface, loose, true)
         });
         std::iter::once((&self.surface, shade, false)).chain(free)

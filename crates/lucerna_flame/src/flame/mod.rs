@@ -89,12 +89,8 @@ impl Flame {
             tip_softness: grid.tip_softness,
         };
         // Free flames are small: half the samples do.
-        let free_key = PlanKey {
-            rows: free::ROWS,
-            around: (key.around / 4 * 2).max(8),
-            up: (key.up / 2).max(6),
-            ..key
-        };
+        let free_key =
+            PlanKey { rows: free::ROWS, around: (key.around / 4 * 2).max(8), up: (key.up / 2).max(6), ..key };
         let mut rng = Pcg::new(seed);
         let tongues = (0..leads).map(|_| Tongue { share: rng.next_unit(), reach: KINDLING, cut: None }).collect();
         let rest = roots.leads.iter().map(|l| l.position).chain(roots.peripherals.iter().map(|p| p.position));
@@ -147,7 +143,8 @@ impl Flame {
         for (i, (lead, tongue)) in leads.iter().zip(&self.tongues).enumerate() {
             // A point has no left and right: all of its fuel burns there.
             let share = if leads.len() == 1 { 1.0 } else { fuel.distribution.value(lead.u, fuel.form, tongue.share) };
-            let acceleration = fuel.acceleration_m_s2(share, fuel.swing.value(time_s, step, self.seed, i as u32));
+            let swing = fuel.swing.value(time_s, step, self.seed, i as u32);
+            let acceleration = fuel.acceleration_m_s2(share, swing);
             let beside = rows.iter().filter(|r| r.lead == i).count() as f32;
             // Half of the drive acts at the lead root, half is shared out around it.
             out.push(Source {
@@ -155,14 +152,14 @@ impl Flame {
                 acceleration_m_s2: 0.5 * acceleration,
                 reach_m: 2.0 * s.width_m,
                 radius_m: 2.0 * s.width_m,
-                heat_k_s: fuel.heat_k_s * share,
+                heat_k_s: fuel.heat_k_s * (share + swing).max(0.0),
             });
             for (r, _) in rows.iter().enumerate().filter(|(_, row)| row.lead == i) {
                 out.push(Source {
                     position: self.chains.root(leads.len() + r),
                     acceleration_m_s2: 0.5 * acceleration / beside,
                     reach_m: 2.0 * s.width_m,
-                radius_m: 2.0 * s.width_m,
+                    radius_m: 2.0 * s.width_m,
                     heat_k_s: 0.0,
                 });
             }

@@ -2,7 +2,7 @@
 //! free flame at the same place, and what is left regrows more slowly than the gas rises.
 
 use super::Flame;
-use crate::free::{BREAK_S, ROWS};
+use crate::free::{BREAK_S, ROWS, direction, frame};
 use crate::net::Spine;
 use glam::Vec3;
 
@@ -64,22 +64,25 @@ impl Flame {
         };
         let leads = self.roots.leads.len();
         let sides = if leads == 1 { [1, 3] } else { [lead + 1, 2 * leads + 1 - lead] };
-        let forward = self.roots.peripherals[sides[0]].outward.cross(Vec3::Y);
         let bottom = spine.length_at(0.5 * (chain(sides[0], cut) + chain(sides[1], cut)));
-        let (middle, rows) = free.light(self.settings.skeletons.free_life_s).split_at_mut(n);
-        for k in 0..n {
-            let share = k as f32 / (n - 1) as f32;
-            let x = cut + (1.0 - cut) * share;
-            let centre = spine.at(bottom + (spine.total() - bottom) * share);
-            middle[k] = centre;
+        let side = self.roots.peripherals[sides[0]].outward;
+        let (middle, rows) = free.light(self.settings.skeletons.free_life_s, side).split_at_mut(n);
+        for (k, point) in middle.iter_mut().enumerate() {
+            *point = spine.at(bottom + (spine.total() - bottom) * k as f32 / (n - 1) as f32);
+        }
+        for (k, centre) in middle.iter().enumerate() {
+            let x = cut + (1.0 - cut) * k as f32 / (n - 1) as f32;
+            let local = frame(direction(middle, k), side).transpose();
+            // Only what is across the spine: the rows keep to its points.
+            let from_spine = |row: usize| (local * (chain(row, x) - *centre)).with_z(0.0);
             let around: [Vec3; ROWS] = if leads == 1 {
-                [0, 1, 2, 3].map(|row| chain(row, x))
+                [0, 1, 2, 3].map(from_spine)
             } else {
-                // Two sides of the tongue, and as far along the wick; four points need the factor 1.5.
-                let (a, b) = (chain(sides[0], x), chain(sides[1], x));
-                let axis = 0.5 * (a + b);
-                let along = forward * (0.75 * a.distance(b));
-                [axis - along, axis + (a - axis) * 1.5, axis + along, axis + (b - axis) * 1.5]
+                // The two sides of the tongue, and as far along the wick; four points need the factor 1.5.
+                let (a, b) = (from_spine(sides[0]), from_spine(sides[1]));
+                let (across, off) = (0.75 * (a - b), 0.5 * (a + b));
+                let along = across.cross(Vec3::Z);
+                [off - along, off + across, off + along, off - across]
             };
             for (r, point) in around.into_iter().enumerate() {
                 rows[r * n + k] = point;

@@ -127,11 +127,8 @@ fn extend(line: &mut [Vec3], points: &[Vec3]) {
     let [first, second, ..] = *line else { return };
     let outward = (first - second).normalize_or_zero();
     let near = 2.0 * first.distance(second);
-    let beyond = points
-        .iter()
-        .filter(|p| p.distance(first) <= near)
-        .map(|p| (*p - first).dot(outward))
-        .fold(0.0_f32, f32::max);
+    let beyond =
+        points.iter().filter(|p| p.distance(first) <= near).map(|p| (*p - first).dot(outward)).fold(0.0_f32, f32::max);
     line[0] = first + outward * beyond;
 }
 
