@@ -4,7 +4,6 @@ use crate::cli::SceneArgs;
 use crate::scenes;
 use anyhow::Result;
 use lucerna::World;
-use lucerna::frame::Camera;
 use lucerna::scene::{LoadedScene, Scene};
 
 /// A scene under the sliders.
@@ -20,7 +19,7 @@ pub(super) struct Document {
     active: LoadedScene,
     /// The last state that was tried.
     tried: Scene,
-    opened: Camera,
+    opened: Scene,
 }
 
 impl Document {
@@ -30,7 +29,7 @@ impl Document {
             edited: loaded.scene.clone(),
             error: None,
             tried: loaded.scene.clone(),
-            opened: loaded.scene.camera,
+            opened: loaded.scene.clone(),
             active: loaded,
         }
     }
@@ -45,16 +44,19 @@ impl Document {
         &self.active
     }
 
-    /// Changes the scene by a preset.
+    /// Changes the scene, as it was opened, by a preset; seed and camera stay as they are now.
     pub(super) fn apply_preset(&mut self, preset: &str) {
-        if let Err(error) = lucerna::scene::apply_preset(&mut self.edited, preset) {
-            self.error = Some(error.to_string());
+        let mut scene = self.opened.clone();
+        (scene.seed, scene.camera) = (self.edited.seed, self.edited.camera);
+        match lucerna::scene::apply_preset(&mut scene, preset) {
+            Ok(()) => self.edited = scene,
+            Err(error) => self.error = Some(error.to_string()),
         }
     }
 
     /// Puts the camera where it was when the scene was opened.
     pub(super) fn reset_camera(&mut self) {
-        self.edited.camera = self.opened;
+        self.edited.camera = self.opened.camera;
     }
 
     /// Takes over what was edited since the last call, where it is allowed; else says why not and goes on as before.

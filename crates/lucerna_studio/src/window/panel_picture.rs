@@ -106,9 +106,10 @@ fn one_level(ui: &mut Ui, level: &mut GlowLevel) {
         Some(_) => level.blur = Blur::Published,
         None => {}
     }
-    let tooltip = "Standard deviation of the Gaussian: raising it makes the glow wider.";
+    let tooltip =
+        "Standard deviation of the Gaussian, in shares of the picture's height or in pixels of the blurred image.";
     match &mut level.blur {
-        Blur::Height(sigma) => super::widgets::log_slider(ui, sigma, 0.0005..=0.2, "Width", "of height", tooltip),
+        Blur::Height(sigma) => super::widgets::log_slider(ui, sigma, 0.0005..=0.2, "Width", "h", tooltip),
         Blur::Pixels(sigma) => slider(ui, sigma, 0.2..=30.0, "Width", "px", tooltip),
         Blur::Published => {}
     }

@@ -18,7 +18,7 @@ pub(super) fn show(ui: &mut Ui, document: &mut Document, view: &mut View) {
         }
         let presets = lucerna::scene::presets();
         let selected = presets.iter().position(|name| Some(*name) == view.preset.as_deref());
-        let tooltip = "Changes many parameters at once; later changes stay on top of it.";
+        let tooltip = "Starts from the scene as it was opened and changes many parameters at once.";
         if let Some(index) = pick(ui, selected, presets.iter().copied(), "Preset", tooltip) {
             document.apply_preset(presets[index]);
             view.preset = Some(presets[index].into());

@@ -112,7 +112,7 @@ pub(super) fn pick<'a>(
     tooltip: &str,
 ) -> Option<usize> {
     let names: Vec<&str> = names.collect();
-    let shown = selected.and_then(|index| names.get(index)).copied().unwrap_or("other");
+    let shown = selected.and_then(|index| names.get(index)).copied().unwrap_or("choose");
     let mut chosen = None;
     row(ui, label, tooltip, |ui| {
         ComboBox::from_id_salt((label, ui.scope_id()))
