@@ -121,7 +121,6 @@ fn assemble(scene: Scene, base_dir: &Path, file: Option<&Path>) -> Result<Loaded
 
 fn wicks(check: &Check<'_>, scene: &Scene, assets: Assets<'_>) -> Result<Vec<Vec<WickShape>>, SceneError> {
     let mut fires = Vec::with_capacity(scene.fires.len());
-    let mut flames = 0;
     for (f, fire) in scene.fires.iter().enumerate() {
         let mut shapes = Vec::with_capacity(fire.wicks.len());
         for (w, wick) in fire.wicks.iter().enumerate() {
@@ -129,20 +128,16 @@ fn wicks(check: &Check<'_>, scene: &Scene, assets: Assets<'_>) -> Result<Vec<Vec
                 WickSource::Polyline { points, radius_m } => {
                     shapes.push(WickShape::Polyline { points: points.clone(), radius_m: *radius_m });
                 }
-                WickSource::Mesh { file, position_m, scale } => {
+                WickSource::Mesh { file, group, position_m, scale } => {
                     let path = assets.resolve(file);
-                    for vertices in import::wick_vertices(&path, *position_m, *scale)? {
-                        for vertex in &vertices {
-                            validate::inside_air(check, &scene.air, &format!("fires[{f}].wicks[{w}]"), *vertex)?;
-                        }
-                        shapes.push(WickShape::Vertices(vertices));
+                    let vertices = import::wick_vertices(&path, group.as_deref(), *position_m, *scale)?;
+                    let field = format!("fires[{f}].wicks[{w}]");
+                    for vertex in &vertices {
+                        validate::inside_air(check, &scene.air, &field, *vertex)?;
                     }
+                    shapes.push(WickShape::Vertices(vertices));
                 }
             }
-        }
-        flames += shapes.len();
-        if flames > MAX_FLAMES {
-            return Err(check.fail("the number of wicks of all fires", flames, format!("at most {MAX_FLAMES}")));
         }
         fires.push(shapes);
     }

@@ -84,7 +84,7 @@ pub struct Air {
     /// Rate at which hot air cools, 1/s.
     #[serde(default)]
     pub cooling_per_s: f32,
-    /// Upward acceleration of row j is this times n_y / j, m/s^2 (the authors' buoyancy), 0 for none.
+    /// Upward acceleration of row j is this times `n_y / j`, m/s^2 (the authors' buoyancy), 0 for none.
     #[serde(default)]
     pub row_buoyancy_m_s2: f32,
     /// Wind through the open sides, m/s.
@@ -132,10 +132,14 @@ pub enum WickSource {
         /// Radius, m.
         radius_m: f32,
     },
-    /// A mesh file (OBJ, glTF, GLB), relative to the scene file.
+    /// The vertices of a mesh file (OBJ, glTF, GLB): all of them, or those of the group whose name begins with
+    /// `wick` where there is one.
     Mesh {
-        /// The file.
+        /// The file, relative to the scene file.
         file: PathBuf,
+        /// The group, object or node; needed where a file has several whose names begin with `wick`.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        group: Option<String>,
         /// Where its origin goes, m.
         #[serde(default)]
         position_m: [f32; 3],

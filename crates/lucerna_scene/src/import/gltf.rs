@@ -42,10 +42,18 @@ pub(super) fn wicks(path: &Path, bytes: &[u8]) -> Result<Vec<WickPart>, SceneErr
 }
 
 fn open<'a>(path: &'a Path, bytes: &[u8]) -> Result<(Document, Buffers<'a>), SceneError> {
-    let gltf = Gltf::from_slice(bytes)
-        .map_err(|error| SceneError::mesh(path, None, format!("is not a glTF file: {error}")))?;
-    let buffers = Buffers::read(path, &gltf.document, gltf.blob)?;
-    Ok((gltf.document, buffers))
+    let fault = |problem: String| SceneError::mesh(path, None, format!("is not a glTF file: {problem}"));
+    let gltf = Gltf::from_slice_without_validation(bytes).map_err(|error| fault(error.to_string()))?;
+    let json = gltf.document.into_json();
+    // The crate's own validation looks accessors up before it checks their indices.
+    let accessors = json.accessors.len();
+    let used = json.meshes.iter().flat_map(|mesh| &mesh.primitives).flat_map(|one| one.attributes.values());
+    if let Some(index) = used.map(gltf::json::Index::value).find(|&index| index >= accessors) {
+        return Err(fault(format!("accessor {index} does not exist: there are {accessors}")));
+    }
+    let document = Document::from_json(json).map_err(|error| fault(error.to_string()))?;
+    let buffers = Buffers::read(path, &document, gltf.blob)?;
+    Ok((document, buffers))
 }
 
 /// The nodes of the scene with their transforms to world space. Nodes form trees: one that is met twice is a

@@ -16,6 +16,9 @@ use std::path::Path;
 /// Most vertices of one file.
 const MAX_VERTICES: usize = 4_000_000;
 
+/// Most vertices of one wick.
+const MAX_WICK_VERTICES: usize = lucerna_flame::MAX_WICK_POINTS;
+
 /// Most triangles of one file.
 const MAX_TRIANGLES: usize = 8_000_000;
 
@@ -57,28 +60,52 @@ pub(crate) fn opaque_mesh(path: &Path, position_m: [f32; 3], scale: f32) -> Resu
     Ok(normals::complete(raw))
 }
 
-/// Reads the vertices of wicks: one list for each group whose name starts with `wick`, or one list of all
-/// vertices where there is no such group.
-pub(crate) fn wick_vertices(path: &Path, position_m: [f32; 3], scale: f32) -> Result<Vec<Vec<[f32; 3]>>, SceneError> {
+/// Reads the vertices of a wick: those of the group of this name, or of the one whose name starts with `wick`, or
+/// all where there is no such group.
+pub(crate) fn wick_vertices(
+    path: &Path,
+    group: Option<&str>,
+    position_m: [f32; 3],
+    scale: f32,
+) -> Result<Vec<[f32; 3]>, SceneError> {
     let (format, bytes) = read(path)?;
     let parts = match format {
-        Format::Obj => obj_text::wicks(path, &bytes)?,
+        Format::Obj => obj_text::wicks(path, &bytes, group)?,
         Format::Gltf => gltf::wicks(path, &bytes)?,
     };
-    let named = parts.iter().any(|part| is_wick(&part.name));
-    let mut wicks: Vec<Vec<[f32; 3]>> = if named {
-        parts.into_iter().filter(|part| is_wick(&part.name)).map(|part| part.vertices).collect()
-    } else {
-        vec![parts.into_iter().flat_map(|part| part.vertices).collect()]
-    };
-    wicks.retain(|vertices| !vertices.is_empty());
-    if wicks.is_empty() {
+    let mut vertices = choose(path, parts, group)?;
+    if vertices.is_empty() {
         return Err(SceneError::mesh(path, None, "has no vertices"));
     }
-    for vertex in wicks.iter_mut().flatten() {
+    if vertices.len() > MAX_WICK_VERTICES {
+        return Err(SceneError::mesh(path, None, format!("has more than {MAX_WICK_VERTICES} vertices for a wick")));
+    }
+    for vertex in &mut vertices {
         *vertex = placed(path, *vertex, position_m, scale)?;
     }
-    Ok(wicks)
+    Ok(vertices)
+}
+
+fn choose(path: &Path, parts: Vec<WickPart>, group: Option<&str>) -> Result<Vec<[f32; 3]>, SceneError> {
+    let mut names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).filter(|name| is_wick(name)).collect();
+    names.sort_unstable();
+    names.dedup();
+    let wanted = match (group, names.as_slice()) {
+        (Some(name), _) => Some(name.to_owned()),
+        (None, []) => None,
+        (None, [name]) => Some((*name).to_owned()),
+        (None, _) => {
+            let names = names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+            return Err(SceneError::mesh(path, None, format!("has several wicks: group must be one of {names}")));
+        }
+    };
+    let Some(wanted) = wanted else {
+        return Ok(parts.into_iter().flat_map(|part| part.vertices).collect());
+    };
+    if parts.iter().all(|part| part.name != wanted) {
+        return Err(SceneError::mesh(path, None, format!("has no group named `{wanted}`")));
+    }
+    Ok(parts.into_iter().filter(|part| part.name == wanted).flat_map(|part| part.vertices).collect())
 }
 
 fn is_wick(name: &str) -> bool {

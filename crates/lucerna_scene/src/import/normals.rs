@@ -20,7 +20,7 @@ pub(super) fn complete(mut raw: RawMesh) -> OpaqueMesh {
     if raw.vertices.iter().all(|vertex| vertex.normal != [0.0; 3]) {
         return OpaqueMesh { indices: raw.triangles.into_flattened(), vertices: raw.vertices };
     }
-    let faces: Vec<Vec3> = raw.triangles.iter().map(|corners| area_normal(&raw.vertices, *corners)).collect();
+    let faces: Vec<Face> = raw.triangles.iter().map(|corners| Face::new(&raw.vertices, *corners)).collect();
     let around = Around::new(&raw);
     let mut split: Vec<Vec<u32>> = vec![Vec::new(); raw.vertices.len()];
     let mut vertices: Vec<MeshVertex> = Vec::with_capacity(raw.vertices.len());
@@ -30,7 +30,7 @@ pub(super) fn complete(mut raw: RawMesh) -> OpaqueMesh {
             let corner = corner as usize;
             let mut vertex = raw.vertices[corner];
             if vertex.normal == [0.0; 3] {
-                vertex.normal = smooth(&faces, around.faces(corner), faces[face]).into();
+                vertex.normal = smooth(&faces, around.corners(corner), faces[face].area_normal).into();
             }
             let same = split[corner].iter().copied().find(|&made| vertices[made as usize] == vertex);
             let made = same.unwrap_or_else(|| {
@@ -45,21 +45,39 @@ pub(super) fn complete(mut raw: RawMesh) -> OpaqueMesh {
     OpaqueMesh { vertices, indices }
 }
 
-/// The normal of a triangle times twice its area.
-fn area_normal(vertices: &[MeshVertex], corners: [u32; 3]) -> Vec3 {
-    let [a, b, c] = corners.map(|corner| Vec3::from(vertices[corner as usize].position));
-    let normal = (b - a).cross(c - a);
-    if normal.is_finite() { normal } else { Vec3::ZERO }
+/// What a face adds to the normals at its corners.
+struct Face {
+    /// Its normal times twice its area.
+    area_normal: Vec3,
+    /// Its angles.
+    angles: [f32; 3],
 }
 
-/// The area-weighted mean over the faces that meet the given one without a crease.
-fn smooth(faces: &[Vec3], around: &[u32], face: Vec3) -> Vec3 {
+impl Face {
+    fn new(vertices: &[MeshVertex], corners: [u32; 3]) -> Self {
+        let [a, b, c] = corners.map(|corner| Vec3::from(vertices[corner as usize].position));
+        let normal = (b - a).cross(c - a);
+        let angle = |at: Vec3, left: Vec3, right: Vec3| {
+            let cosine = (left - at).normalize_or_zero().dot((right - at).normalize_or_zero());
+            cosine.clamp(-1.0, 1.0).acos()
+        };
+        Self {
+            area_normal: if normal.is_finite() { normal } else { Vec3::ZERO },
+            angles: [angle(a, b, c), angle(b, c, a), angle(c, a, b)],
+        }
+    }
+}
+
+/// The mean over the faces that meet the given one without a crease, weighted by area and by angle, so that it does
+/// not matter along which diagonal a quadrilateral was cut.
+fn smooth(faces: &[Face], around: &[u32], face: Vec3) -> Vec3 {
     let own = face.normalize_or_zero();
     let mut sum = Vec3::ZERO;
-    for &other in around {
-        let other = faces[other as usize];
-        if around.len() > MAX_FACES || own == Vec3::ZERO || other.normalize_or_zero().dot(own) >= CREASE_COS {
-            sum += other;
+    for &corner in around {
+        let other = &faces[corner as usize / 3];
+        let weighted = other.area_normal * other.angles[corner as usize % 3];
+        if around.len() > MAX_FACES || own == Vec3::ZERO || weighted.normalize_or_zero().dot(own) >= CREASE_COS {
+            sum += weighted;
         }
     }
     let mean = sum.normalize_or_zero();
@@ -72,11 +90,11 @@ fn smooth(faces: &[Vec3], around: &[u32], face: Vec3) -> Vec3 {
     }
 }
 
-/// The faces at each point; vertices at the same place are one point.
+/// The corners of faces at each point, as three times the face plus 0 to 2; vertices at the same place are one point.
 struct Around {
     point_of_vertex: Vec<u32>,
     first_of_point: Vec<u32>,
-    faces: Vec<u32>,
+    corners: Vec<u32>,
 }
 
 impl Around {
@@ -100,19 +118,17 @@ impl Around {
             first_of_point[point] += first_of_point[point - 1];
         }
         let mut next = first_of_point.clone();
-        let mut faces = vec![0; raw.triangles.len() * 3];
-        for (face, corners) in raw.triangles.iter().enumerate() {
-            for &corner in corners {
-                let slot = &mut next[point_of_vertex[corner as usize] as usize];
-                faces[*slot as usize] = face as u32;
-                *slot += 1;
-            }
+        let mut around = vec![0; raw.triangles.len() * 3];
+        for (index, &corner) in raw.triangles.as_flattened().iter().enumerate() {
+            let slot = &mut next[point_of_vertex[corner as usize] as usize];
+            around[*slot as usize] = index as u32;
+            *slot += 1;
         }
-        Self { point_of_vertex, first_of_point, faces }
+        Self { point_of_vertex, first_of_point, corners: around }
     }
 
-    fn faces(&self, vertex: usize) -> &[u32] {
+    fn corners(&self, vertex: usize) -> &[u32] {
         let point = self.point_of_vertex[vertex] as usize;
-        &self.faces[self.first_of_point[point] as usize..self.first_of_point[point + 1] as usize]
+        &self.corners[self.first_of_point[point] as usize..self.first_of_point[point + 1] as usize]
     }
 }

@@ -15,7 +15,7 @@ const OPTIONS: LoadOptions =
 
 /// Reads the triangles of all groups.
 pub(super) fn mesh(path: &Path, bytes: &[u8]) -> Result<RawMesh, SceneError> {
-    let obj = obj_text::scan(path, bytes, false)?;
+    let obj = obj_text::scan(path, bytes, None)?;
     let fault = RefCell::new(None);
     let library = |name: &Path| {
         mtl::library(path, &name.to_string_lossy()).unwrap_or_else(|error| {

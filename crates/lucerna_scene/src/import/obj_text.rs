@@ -22,11 +22,11 @@ pub(super) struct ObjText {
     groups: Option<Vec<(String, Vec<u32>)>>,
 }
 
-/// The vertices of an OBJ file, by group where a group is named for a wick.
-pub(super) fn wicks(path: &Path, bytes: &[u8]) -> Result<Vec<WickPart>, SceneError> {
-    let obj = scan(path, bytes, true)?;
+/// The vertices of an OBJ file: those of groups that are wanted or named for wicks, or else all as one part.
+pub(super) fn wicks(path: &Path, bytes: &[u8], group: Option<&str>) -> Result<Vec<WickPart>, SceneError> {
+    let mut obj = scan(path, bytes, Some(group))?;
     let mut parts = Vec::new();
-    for (name, mut indices) in obj.groups.unwrap_or_default() {
+    for (name, mut indices) in obj.groups.take().unwrap_or_default() {
         indices.sort_unstable();
         indices.dedup();
         parts.push(WickPart { name, vertices: indices.iter().map(|&index| obj.positions[index as usize]).collect() });
@@ -37,16 +37,17 @@ pub(super) fn wicks(path: &Path, bytes: &[u8]) -> Result<Vec<WickPart>, SceneErr
     Ok(parts)
 }
 
-/// Checks every line; `for_wicks` gathers groups named for wicks instead of text.
-pub(super) fn scan(path: &Path, bytes: &[u8], for_wicks: bool) -> Result<ObjText, SceneError> {
+/// Checks every line; for wicks it gathers groups, the wanted one and those named for wicks, instead of text.
+pub(super) fn scan(path: &Path, bytes: &[u8], for_wicks: Option<Option<&str>>) -> Result<ObjText, SceneError> {
     if bytes.iter().take(4096).any(|&byte| byte == 0) {
         return Err(SceneError::mesh(path, None, "is not an OBJ file: it is not text"));
     }
-    let mut obj = ObjText { groups: for_wicks.then(Vec::new), ..ObjText::default() };
-    if !for_wicks {
+    let mut obj = ObjText { groups: for_wicks.map(|_| Vec::new()), ..ObjText::default() };
+    if for_wicks.is_none() {
         obj.text.reserve(bytes.len());
     }
     let mut group = String::new();
+    let mut gathers = false;
     for (number, line) in lines(bytes) {
         let fault = |problem: String| SceneError::mesh(path, Some(number), problem);
         let text = decode(&line);
@@ -56,9 +57,10 @@ pub(super) fn scan(path: &Path, bytes: &[u8], for_wicks: bool) -> Result<ObjText
         match keyword {
             "v" => obj.vertex(rest).map_err(fault)?,
             "vn" => obj.normal(rest).map_err(fault)?,
-            "f" | "l" | "p" => obj.element(keyword, rest, &group).map_err(fault)?,
+            "f" | "l" | "p" => obj.element(keyword, rest, gathers.then_some(&group)).map_err(fault)?,
             "o" | "g" => {
                 group = rest.to_owned();
+                gathers = for_wicks.is_some_and(|wanted| wanted == Some(rest) || super::is_wick(rest));
                 obj.keep(keyword, rest);
             }
             "usemtl" | "mtllib" if !rest.is_empty() => obj.keep(keyword, rest),
@@ -117,9 +119,8 @@ impl ObjText {
         Ok(())
     }
 
-    fn element(&mut self, keyword: &str, rest: &str, group: &str) -> Result<(), String> {
+    fn element(&mut self, keyword: &str, rest: &str, group: Option<&String>) -> Result<(), String> {
         let mut corners = 0_usize;
-        let gather = super::is_wick(group);
         for corner in rest.split_whitespace() {
             let mut parts = corner.split('/');
             let vertex = index(parts.next().unwrap_or_default(), self.positions.len(), "vertices")?;
@@ -133,11 +134,9 @@ impl ObjText {
                 return Err(format!("`{corner}` is not a corner of a face"));
             }
             corners += 1;
-            if let Some(groups) = &mut self.groups
-                && gather
-            {
+            if let (Some(groups), Some(group)) = (&mut self.groups, group) {
                 if groups.last().is_none_or(|(name, _)| name != group) {
-                    groups.push((group.to_owned(), Vec::new()));
+                    groups.push((group.clone(), Vec::new()));
                 }
                 if let Some((_, vertices)) = groups.last_mut() {
                     vertices.push(vertex);

@@ -3,6 +3,9 @@
 use super::{Check, FAR_M};
 use crate::{Air, Pressure, SceneError};
 
+/// Smallest edge of a cell, m.
+const MIN_CELL_M: f32 = 1.0e-4;
+
 /// Most cells of a grid.
 const MAX_CELLS: u32 = 4_000_000;
 
@@ -16,6 +19,16 @@ pub(super) fn air(check: &Check<'_>, air: &Air) -> Result<(), SceneError> {
     if x * y * z > MAX_CELLS {
         return Err(check.fail("air.cells", format!("{x} x {y} x {z}"), format!("at most {MAX_CELLS} in all")));
     }
+    for (axis, (size, cells)) in air.size_m.iter().zip(air.cells).enumerate() {
+        let least = MIN_CELL_M * cells as f32;
+        if *size < least {
+            return Err(check.fail(
+                format!("air.size_m[{axis}]"),
+                size,
+                format!("at least {MIN_CELL_M} m for each cell"),
+            ));
+        }
+    }
     check.within("air.time_step_s", air.time_step_s, 1.0e-5..=10.0)?;
     check.within("air.viscosity_m2_s", air.viscosity_m2_s, 0.0..=1000.0)?;
     check.within("air.vorticity_confinement", air.vorticity_confinement, 0.0..=100.0)?;
@@ -23,7 +36,7 @@ pub(super) fn air(check: &Check<'_>, air: &Air) -> Result<(), SceneError> {
         check.within("air.pressure gauss_seidel", sweeps, 1..=10_000)?;
     }
     check.within("air.ambient_k", air.ambient_k, 1.0..=5000.0)?;
-    check.within("air.cooling_per_s", air.cooling_per_s, 0.0..=10_000.0)?;
+    check.within("air.cooling_per_s", air.cooling_per_s, 0.0..=1000.0)?;
     check.within("air.row_buoyancy_m_s2", air.row_buoyancy_m_s2, 0.0..=10_000.0)?;
     check.each("air.wind_m_s", &air.wind_m_s, &(-200.0..=200.0))
 }

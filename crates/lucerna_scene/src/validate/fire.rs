@@ -41,9 +41,9 @@ fn wick(check: &Check<'_>, air: &Air, field: &str, wick: &WickSource) -> Result<
             if points.len() > 1 && points.iter().all(|point| *point == points[0]) {
                 return Err(check.fail(format!("{field}.points"), "of no length", "one point, or points that differ"));
             }
-            check.above_zero(&format!("{field}.radius_m"), *radius_m, 10.0)
+            check.within(&format!("{field}.radius_m"), *radius_m, 1.0e-6..=10.0)
         }
-        WickSource::Mesh { file, position_m, scale } => placed(check, field, file, *position_m, *scale),
+        WickSource::Mesh { file, position_m, scale, .. } => placed(check, field, file, *position_m, *scale),
     }
 }
 
@@ -76,14 +76,21 @@ fn skeletons(check: &Check<'_>, field: &str, skeletons: &Skeletons) -> Result<()
     let of = |name: &str| format!("{field}.{name}");
     check.within(&of("slices"), skeletons.slices, 1..=64)?;
     check.within(&of("particles"), skeletons.particles, 3..=32)?;
-    check.above_zero(&of("lead_life_s"), skeletons.lead_life_s, 60.0)?;
-    check.above_zero(&of("peripheral_life_s"), skeletons.peripheral_life_s, 60.0)?;
-    check.above_zero(&of("width_m"), skeletons.width_m, 10.0)?;
+    check.within(&of("peripheral_life_s"), skeletons.peripheral_life_s, 0.001..=60.0)?;
+    check.within(&of("lead_life_s"), skeletons.lead_life_s, 0.001..=60.0)?;
+    if skeletons.lead_life_s < skeletons.peripheral_life_s {
+        let allowed = format!("at least peripheral_life_s, {}", skeletons.peripheral_life_s);
+        return Err(check.fail(of("lead_life_s"), skeletons.lead_life_s, allowed));
+    }
+    check.within(&of("width_m"), skeletons.width_m, 1.0e-5..=10.0)?;
     check.within(&of("expansion_m_s"), skeletons.expansion_m_s, 0.0..=100.0)?;
     check.each(&of("lead_sway_s"), &skeletons.lead_sway_s, &(-10.0..=10.0))?;
     check.each(&of("peripheral_sway_s"), &skeletons.peripheral_sway_s, &(-10.0..=10.0))?;
-    check.within(&of("shed_per_s"), skeletons.shed_per_s, 0.0..=1000.0)?;
-    check.above_zero(&of("free_life_s"), skeletons.free_life_s, 60.0)
+    check.within(&of("shed_per_s"), skeletons.shed_per_s, 0.0..=100.0)?;
+    check.within(&of("free_life_s"), skeletons.free_life_s, 0.001..=60.0)?;
+    check.within(&of("taper"), skeletons.taper, 0.0..=1.0)?;
+    check.within(&of("turbulence_m_s"), skeletons.turbulence_m_s, 0.0..=100.0)?;
+    check.within(&of("turbulence_m"), skeletons.turbulence_m, 0.0001..=100.0)
 }
 
 fn surface(check: &Check<'_>, field: &str, surface: &SurfaceGrid) -> Result<(), SceneError> {
@@ -91,7 +98,7 @@ fn surface(check: &Check<'_>, field: &str, surface: &SurfaceGrid) -> Result<(), 
     if !surface.around.is_multiple_of(2) || !(4..=256).contains(&surface.around) {
         return Err(check.fail(around, surface.around, "an even number, 4 to 256"));
     }
-    check.within(&format!("{field}.up"), surface.up, 2..=256)?;
+    check.within(&format!("{field}.up"), surface.up, 3..=256)?;
     check.within(&format!("{field}.tip_softness"), surface.tip_softness, 0.0..=1.0)
 }
 
@@ -112,6 +119,6 @@ fn shade(check: &Check<'_>, field: &str, shade: &FlameShade) -> Result<(), Scene
     check.within(&of("dark_end"), shade.dark_end, 0.0..=1.0)?;
     check.within(&of("noise_amount"), shade.noise_amount, 0.0..=1.0)?;
     check.within(&of("noise_per_m"), shade.noise_per_m, 0.0..=10_000.0)?;
-    check.within(&of("noise_rise_m_s"), shade.noise_rise_m_s, -100.0..=100.0)?;
+    check.within(&of("noise_rise_m_s"), shade.noise_rise_m_s, 0.0..=100.0)?;
     check.within(&of("strength"), shade.strength, 0.0..=1.0)
 }

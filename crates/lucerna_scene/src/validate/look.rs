@@ -34,8 +34,8 @@ pub(super) fn look(check: &Check<'_>, look: &Look) -> Result<(), SceneError> {
     for (index, level) in look.glow.iter().enumerate() {
         glow(check, &format!("look.glow[{index}]"), level)?;
     }
-    check.within("look.exposure_stops", look.exposure_stops, -32.0..=32.0)?;
-    check.within("look.white_k", look.white_k, 1000.0..=40_000.0)?;
+    check.within("look.exposure_stops", look.exposure_stops, -30.0..=30.0)?;
+    check.within("look.white_k", look.white_k, 1000.0..=20_000.0)?;
     check.within("look.light_gain", look.light_gain, 0.0..=1.0e6)?;
     check.each("look.ambient", &look.ambient, &(0.0..=1.0e6))?;
     check.each("look.background", &look.background, &(0.0..=1.0e6))?;
@@ -43,6 +43,7 @@ pub(super) fn look(check: &Check<'_>, look: &Look) -> Result<(), SceneError> {
         return Err(check.fail("look.samples", look.samples, "1 or 4"));
     }
     check.within("look.volume_steps", look.volume_steps, 2..=32)?;
+    check.within("look.shell_softness", look.shell_softness, 0.0..=1.0)?;
     match look.debug {
         DebugView::Layer(layer) if layer >= look.layers => {
             Err(check.fail("look.debug layer", layer, format!("below look.layers, {}", look.layers)))

@@ -1,0 +1,115 @@
+//! The scenes that come with the crate, presets, and writing scenes.
+
+mod common;
+
+use lucerna_frame::OpaqueMesh;
+use lucerna_scene::{LoadedScene, apply_preset, builtin, builtin_names, load, open, parse, presets, validate};
+use std::path::Path;
+
+#[test]
+fn embedded_scenes_are_those_on_disk() {
+    for name in builtin_names() {
+        let embedded = builtin(name).unwrap();
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(format!("{name}.ron"));
+        assert_eq!(embedded, load(&path).unwrap(), "{name}");
+        assert_eq!(embedded, open(name).unwrap(), "{name}");
+        assert_eq!(embedded, LoadedScene::from_scene(embedded.scene.clone(), Path::new("nowhere")).unwrap(), "{name}");
+        assert_eq!(embedded.wicks[0].len(), embedded.scene.fires[0].wicks.len(), "{name}");
+    }
+}
+
+#[test]
+fn built_in_meshes_are_sound() {
+    for name in builtin_names() {
+        let loaded = builtin(name).unwrap();
+        let triangles: usize = loaded.meshes.iter().map(|mesh| mesh.indices.len() / 3).sum();
+        assert!((1000..30_000).contains(&triangles), "{name} has {triangles} triangles");
+        assert!(loaded.meshes.iter().any(glows), "{name} has nothing that glows");
+        for mesh in &loaded.meshes {
+            for vertex in &mesh.vertices {
+                let length = vertex.normal.iter().map(|x| x * x).sum::<f32>().sqrt();
+                assert!((length - 1.0).abs() < 1.0e-3, "{name}: {vertex:?}");
+                assert!(vertex.position.iter().all(|x| x.abs() < 5.0), "{name}: {vertex:?}");
+                assert!(vertex.color.iter().all(|c| (0.0..=0.9).contains(c)), "{name}: {vertex:?}");
+            }
+        }
+    }
+}
+
+fn glows(mesh: &OpaqueMesh) -> bool {
+    mesh.vertices.iter().any(|vertex| vertex.emission[0] > 0.1)
+}
+
+#[test]
+fn scenes_survive_writing() {
+    for name in builtin_names() {
+        let scene = builtin(name).unwrap().scene;
+        let text = scene.to_ron().unwrap();
+        assert_eq!(parse(&text, Path::new(name)).unwrap(), scene, "{text}");
+    }
+}
+
+#[test]
+fn presets_give_scenes_that_load() {
+    for name in builtin_names() {
+        let first = builtin(name).unwrap().scene;
+        for preset in presets() {
+            let mut scene = first.clone();
+            apply_preset(&mut scene, preset).unwrap();
+            validate(&scene).unwrap();
+            assert_eq!((&scene.camera, &scene.meshes), (&first.camera, &first.meshes), "{name} {preset}");
+            let mut again = scene.clone();
+            apply_preset(&mut again, preset).unwrap();
+            // Twice as fine is finer still.
+            if *preset != "fine" {
+                assert_eq!(again, scene, "{name} {preset}");
+            }
+            LoadedScene::from_scene(scene, Path::new("")).unwrap();
+        }
+    }
+}
+
+#[test]
+fn the_paper_preset_is_what_the_authors_run() {
+    let mut scene = builtin("torch").unwrap().scene;
+    apply_preset(&mut scene, "paper").unwrap();
+    assert_eq!((scene.air.cells, scene.look.layers), ([15; 3], 4));
+    assert_eq!((scene.fires[0].skeletons.slices, scene.fires[0].skeletons.particles), (2, 8));
+    assert_eq!(
+        scene.look.glow.iter().map(|level| (level.divisor, level.gain)).collect::<Vec<_>>(),
+        [(1, 1.0), (4, 1.0)]
+    );
+    assert_eq!(scene.air.size_m, [1.2; 3]);
+    let mut scene = builtin("candle").unwrap().scene;
+    apply_preset(&mut scene, "paper").unwrap();
+    assert_eq!(scene.look.layers, 2);
+}
+
+#[test]
+fn the_example_of_the_format_page_loads() {
+    let page = include_str!("../../../docs/scene_format.md");
+    let mut examples = page.split("```ron\n").skip(1);
+    let text = examples.next().unwrap().split("```").next().unwrap();
+    let scene = parse(text, Path::new("docs/scene_format.md")).unwrap();
+    LoadedScene::from_scene(scene, Path::new("")).unwrap();
+}
+
+/// Every field of every struct of a scene is described, and its default is as the page says.
+#[test]
+fn the_format_page_is_up_to_date() {
+    let page = include_str!("../../../docs/scene_format.md");
+    let text = common::smallest().to_ron().unwrap();
+    // Lines of one field each: the text is as deep as that.
+    for (field, value) in text.lines().filter_map(|line| line.trim().split_once(": ")) {
+        if field.contains('(') {
+            continue;
+        }
+        let row = page.lines().find(|line| line.starts_with(&format!("| `{field}` |")));
+        let row = row.unwrap_or_else(|| panic!("{field} is not described"));
+        let value = value.trim_end_matches(',').parse::<f64>();
+        let said = row.split(" | ").nth(2).unwrap_or_default().parse::<f64>();
+        if let (Ok(value), Ok(said)) = (value, said) {
+            assert!((value - said).abs() <= 1.0e-6 * said.abs(), "{field} is {value}, the page says {said}");
+        }
+    }
+}
