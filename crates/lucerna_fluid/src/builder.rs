@@ -106,7 +106,7 @@ impl FluidBuilder {
         self
     }
 
-    /// Makes the fluid; all memory it will ever use is taken here, after everything is checked.
+    /// Makes the fluid: checks everything, then takes all the memory that its steps will use.
     ///
     /// # Errors
     /// Cell counts, lengths or settings outside their ranges; inflow without an outlet.

@@ -6,7 +6,7 @@ pub const MIN_AXIS_CELLS: usize = 2;
 /// Most cells along an axis.
 pub const MAX_AXIS_CELLS: usize = 512;
 
-/// Most cells in all: about 1.7 GiB of arrays.
+/// Most cells in all: about 1.6 GiB of arrays, 100 bytes a cell.
 pub const MAX_CELLS: usize = 1 << 24;
 
 /// Longest step, s.

@@ -1,6 +1,7 @@
 //! The solver against what it promises, through its public interface only.
 
 mod flows;
+mod heat;
 mod inputs;
 mod projection;
 mod robust;
