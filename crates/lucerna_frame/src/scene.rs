@@ -23,7 +23,7 @@ pub struct MeshVertex {
     pub normal: [f32; 3],
     /// Linear base colour (albedo), 0 to 1.
     pub color: [f32; 3],
-    /// Linear radiance that the surface emits by itself (glowing coals, a wick's tip).
+    /// Linear radiance that the surface emits by itself (glowing coals, a wick's tip), as the camera sees it.
     pub emission: [f32; 3],
 }
 
