@@ -1,85 +1,16 @@
 //! The world: a scene that burns.
 
 use crate::air;
-use lucerna_flame::{FlameError, FlameSettings, Flames};
-use lucerna_fluid::{Fluid, FluidError};
+use crate::error::WorldError;
+use crate::report::{DebugLines, StepSummary};
+use lucerna_flame::{FlameSettings, Flames};
+use lucerna_fluid::Fluid;
 use lucerna_frame::{Frame, LineVertex};
 use lucerna_scene::LoadedScene;
 use std::time::Instant;
 
 /// Most fixed steps of one call of [`World::step`]: a slow machine falls behind rather than seize up.
 pub const MAX_STEPS: u32 = 8;
-
-/// Why a world could not be made or stepped.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum WorldError {
-    /// A flame could not be made.
-    #[error("a flame could not be made")]
-    Flame(#[from] FlameError),
-    /// The air could not be made or moved.
-    #[error("the air could not be made or moved")]
-    Air(#[from] FluidError),
-    /// A length of time that cannot be stepped by.
-    #[error("{field} is {value}; allowed is {allowed}")]
-    Time {
-        /// Which one.
-        field: &'static str,
-        /// What it is, s.
-        value: f32,
-        /// What it may be.
-        allowed: &'static str,
-    },
-    /// The scene's wicks are not those that were read from its files.
-    #[error("the scene has {fires} fires with {wicks} wicks, but {shapes} wick shapes were loaded in {groups} groups")]
-    Wicks {
-        /// Fires in the scene.
-        fires: usize,
-        /// Wicks in the scene.
-        wicks: usize,
-        /// Groups of loaded shapes.
-        groups: usize,
-        /// Loaded shapes.
-        shapes: usize,
-    },
-}
-
-/// Which debug lines the frame carries.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct DebugLines {
-    /// The particle chains.
-    pub skeletons: bool,
-    /// The control nets.
-    pub control_nets: bool,
-    /// The edges of the flame triangles.
-    pub wireframe: bool,
-    /// The box of the air.
-    pub air_box: bool,
-}
-
-/// What one call of [`World::step`] did.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct StepSummary {
-    /// Fixed steps that were run.
-    pub steps: u32,
-    /// Fixed steps that were due but dropped because the cap of [`MAX_STEPS`] was reached.
-    pub dropped: u32,
-    /// Largest dimensionless divergence left after any of the steps' projections.
-    pub divergence: f32,
-    /// Where the time went.
-    pub times: StageTimes,
-}
-
-/// Milliseconds that the stages of a step took, all fixed steps together.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct StageTimes {
-    /// Air.
-    pub fluid_ms: f64,
-    /// Particle chains.
-    pub skeletons_ms: f64,
-    /// Control nets, surfaces, lights and debug lines.
-    pub nurbs_ms: f64,
-}
 
 /// A scene that burns.
 pub struct World {
@@ -251,9 +182,9 @@ impl World {
     pub fn state_hash(&self) -> u64 {
         let parts = [self.fluid.state_hash(), self.flames.state_hash(), self.owed_s.to_bits()];
         parts.into_iter().fold(0xcbf2_9ce4_8422_2325, |hash, part| {
-            part.to_le_bytes().into_iter().fold(hash, |hash: u64, byte| {
-                (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-            })
+            part.to_le_bytes()
+                .into_iter()
+                .fold(hash, |hash: u64, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
         })
     }
 

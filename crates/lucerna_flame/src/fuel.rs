@@ -38,7 +38,7 @@ fn table(samples: &[f32], u: f32) -> f32 {
 }
 
 impl Swing {
-    /// F_ext / C of one lead root at a time; `step` counts fixed steps (for [`Swing::Random`]).
+    /// `F_ext` over C of one lead root at a time; `step` counts fixed steps (for [`Swing::Random`]).
     #[must_use]
     pub fn value(&self, time_s: f64, step: u64, seed: u64, lead: u32) -> f32 {
         let seed = hash(seed ^ (u64::from(lead) << 32));

@@ -51,7 +51,7 @@ pub enum FuelForm {
     Published,
 }
 
-/// The swinging term F_ext of paper 003, equation 2, as a fraction of the strength.
+/// The swinging term `F_ext` of paper 003, equation 2, as a fraction of the strength.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Swing {
@@ -89,7 +89,7 @@ pub struct Fuel {
     pub form: FuelForm,
     /// C: vertical acceleration that a root gives to the air of its voxel, m/s^2. Raising it makes flames higher.
     pub strength_m_s2: f32,
-    /// F_ext.
+    /// `F_ext`.
     pub swing: Swing,
     /// Heating of the air at each lead root, K/s; it rises by buoyancy and makes flames neck and roll.
     pub heat_k_s: f32,
@@ -111,7 +111,7 @@ impl Default for Fuel {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Skeletons {
-    /// Slices of the wick n_l, 1 to 64; a flame has n_l + 2 lead and 2 n_l + 6 peripheral skeletons.
+    /// Slices of the wick `n_l`, 1 to 64; a flame has `n_l + 2` lead and `2 n_l + 6` peripheral skeletons.
     pub slices: u32,
     /// Control points along each peripheral skeleton, 3 to 32 (paper: below 9).
     pub particles: u32,

@@ -26,16 +26,16 @@ pub struct PeripheralRoot {
 /// All roots of one flame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Roots {
-    /// N_l roots along the wick.
+    /// `N_l` roots along the wick.
     pub leads: Vec<LeadRoot>,
-    /// N_p roots around it, clockwise seen from above, starting beyond the left end.
+    /// `N_p` roots around it, clockwise seen from above, starting beyond the left end.
     pub peripherals: Vec<PeripheralRoot>,
 }
 
 /// The lead skeleton that row `row` of the control net refers to, for `leads` lead skeletons.
 ///
-/// A flame of one lead has four rows; any other 2 N_l + 2: one beyond the left end, N_l along one
-/// side, one beyond the right end, N_l back along the other side.
+/// A flame of one lead has four rows; any other `2 N_l + 2`: one beyond the left end, `N_l` along one
+/// side, one beyond the right end, `N_l` back along the other side.
 #[must_use]
 pub fn lead_of_row(row: usize, leads: usize) -> usize {
     if leads <= 1 || row == 0 {

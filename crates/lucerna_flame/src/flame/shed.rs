@@ -65,6 +65,7 @@ impl Flame {
         let leads = self.roots.leads.len();
         let sides = if leads == 1 { [1, 3] } else { [lead + 1, 2 * leads + 1 - lead] };
         let bottom = spine.length_at(0.5 * (chain(sides[0], cut) + chain(sides[1], cut)));
+        let width = self.settings.skeletons.width_m;
         let side = self.roots.peripherals[sides[0]].outward;
         let (middle, rows) = free.light(self.settings.skeletons.free_life_s, side).split_at_mut(n);
         for (k, point) in middle.iter_mut().enumerate() {
@@ -84,8 +85,11 @@ impl Flame {
                 let along = across.cross(Vec3::Z);
                 [off - along, off + across, off + along, off - across]
             };
+            // A tip that eddies have torn wide would become a mushroom.
+            let share = k as f32 / (n - 1) as f32;
+            let tip = 1.0 - 0.7 * share * share * share;
             for (r, point) in around.into_iter().enumerate() {
-                rows[r * n + k] = point;
+                rows[r * n + k] = point.clamp_length_max(2.0 * width) * tip;
             }
         }
     }

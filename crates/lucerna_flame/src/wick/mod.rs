@@ -42,7 +42,7 @@ fn checked(field: &'static str, points: &[[f32; 3]]) -> Result<Vec<Vec3>, FlameE
         return Err(FlameError::Count { field, count: points.len(), allowed: "1 to 2000000" });
     }
     for (index, p) in points.iter().enumerate() {
-        if let Some(bad) = p.iter().find(|v| !(v.abs() <= 1e6)) {
+        if let Some(bad) = p.iter().find(|v| !(-1e6..=1e6).contains(*v)) {
             return Err(FlameError::NotFinite { field, index, value: f64::from(*bad) });
         }
     }
