@@ -155,7 +155,7 @@ fn debug_lines_come_in_pairs() {
     ] {
         world.set_debug_lines(lines);
         let count = world.frame().lines.len();
-        assert!(count > 0 && count % 2 == 0, "{lines:?}");
+        assert!(count > 0 && count.is_multiple_of(2), "{lines:?}");
         if lines.air_box {
             assert_eq!(count, 24);
         }
