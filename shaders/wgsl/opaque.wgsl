@@ -6,6 +6,7 @@ struct Surface {
     @location(1) normal: vec3f,
     @location(2) color: vec3f,
     @location(3) emission: vec3f,
+    @location(4) translucency: f32,
 }
 
 @vertex
@@ -14,6 +15,7 @@ fn vs_opaque(
     @location(1) normal: vec3f,
     @location(2) color: vec3f,
     @location(3) emission: vec3f,
+    @location(4) translucency: f32,
 ) -> Surface {
     var out: Surface;
     out.clip = view.clip_from_world * vec4f(position, 1.0);
@@ -21,6 +23,7 @@ fn vs_opaque(
     out.normal = normal;
     out.color = color;
     out.emission = emission;
+    out.translucency = translucency;
     return out;
 }
 
@@ -29,10 +32,10 @@ const SHININESS: f32 = 24.0;
 const SPECULAR: f32 = 0.04;
 
 @fragment
-fn fs_opaque(in: Surface) -> @location(0) vec4f {
+fn fs_opaque(in: Surface, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
     let to_eye = normalize(view.eye_time.xyz - in.world);
     var normal = normalize(in.normal);
-    if dot(normal, to_eye) < 0.0 {
+    if !is_front {
         normal = -normal;
     }
     var irradiance = vec3f(0.0);
@@ -45,11 +48,13 @@ fn fs_opaque(in: Surface) -> @location(0) vec4f {
         let squared = dot(to_light, to_light) + radius * radius;
         let direction = to_light * inverseSqrt(max(dot(to_light, to_light), 1e-12));
         let wrap = radius * inverseSqrt(squared);
-        let facing = max((dot(normal, direction) + wrap) / (1.0 + wrap), 0.0);
-        let arriving = light.intensity.rgb * (facing / squared);
-        irradiance += arriving;
+        let cosine = dot(normal, direction);
+        let reflected = max((cosine + wrap) / (1.0 + wrap), 0.0);
+        // Light that went in elsewhere: it knows little of this normal.
+        let facing = mix(reflected, 0.5 + 0.5 * cosine, in.translucency);
+        irradiance += light.intensity.rgb * (facing / squared);
         let half_way = normalize(direction + to_eye);
-        gloss += arriving * pow(max(dot(normal, half_way), 0.0), SHININESS);
+        gloss += light.intensity.rgb * (reflected / squared) * pow(max(dot(normal, half_way), 0.0), SHININESS);
     }
     let gain = view.ambient_gain.w;
     let diffuse = in.color * (irradiance * (gain / 3.14159265) + view.ambient_gain.rgb);

@@ -25,6 +25,8 @@ pub struct MeshVertex {
     pub color: [f32; 3],
     /// Linear radiance that the surface emits by itself (glowing coals, a wick's tip), as the camera sees it.
     pub emission: [f32; 3],
+    /// Share of the light that goes on under the surface and comes out beside and behind, 0 (stone) to 1 (wax).
+    pub translucency: f32,
 }
 
 /// An opaque triangle mesh in world space.

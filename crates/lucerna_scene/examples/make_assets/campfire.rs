@@ -10,7 +10,7 @@ newmtl log
 Kd 1 1 1
 newmtl ember
 Kd 0.25 0.07 0.03
-Ke 0.6 0.085 0.008
+Ke 0.5 0.06 0.004
 newmtl stone
 Kd 1 1 1
 newmtl earth

@@ -5,14 +5,16 @@ use crate::noise::{fractal, noise, random, step};
 use glam::Vec3;
 
 const MATERIALS: &str = "\
-# Warm white wax, a charred wick whose tip glows, brass, oiled wood. Vertex colours multiply Kd and Ke.
+# Warm white wax, a charred wick whose tip glows, brass, oiled wood. Vertex colours multiply Kd and Ke;
+# Tf is the share of light that goes on inside.
 newmtl wax
 Kd 1 1 1
+Tf 0.7 0.7 0.7
 newmtl wick
 Kd 1 1 1
 newmtl ember
 Kd 0.3 0.1 0.05
-Ke 0.5 0.09 0.012
+Ke 0.05 0.009 0.0012
 newmtl brass
 Kd 1 1 1
 newmtl wood

@@ -11,7 +11,7 @@ newmtl cloth
 Kd 1 1 1
 newmtl ember
 Kd 0.2 0.06 0.03
-Ke 0.35 0.055 0.006
+Ke 0.12 0.016 0.0015
 newmtl wood
 Kd 1 1 1
 newmtl iron

@@ -131,6 +131,7 @@ fn append(raw: &mut RawMesh, primitive: &Primitive<'_>, world: Mat4, buffers: &B
             normal: (normal_from_local * normal).normalize_or_zero().into(),
             color: std::array::from_fn(|c| ([r, g, b][c] * tint[c]).clamp(0.0, 1.0)),
             emission,
+            translucency: 0.0,
         });
     }
     let mirrored = linear.determinant() < 0.0;

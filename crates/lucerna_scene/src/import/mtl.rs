@@ -1,4 +1,4 @@
-//! Material files of OBJ meshes: base colour `Kd` and emission `Ke`; everything else is passed over.
+//! Material files of OBJ meshes: base colour `Kd`, emission `Ke` and translucency `Tf`; everything else is passed over.
 
 use super::obj_text::decode;
 use crate::SceneError;
@@ -45,7 +45,7 @@ fn clean(path: &Path, bytes: &[u8], text: &mut String) -> Result<(), SceneError>
                 text.push_str(rest);
                 text.push('\n');
             }
-            "Kd" | "Ke" if named => {
+            "Kd" | "Ke" | "Tf" if named => {
                 let colour = colour(rest)
                     .map_err(|problem| SceneError::mesh(path, Some(index + 1), format!("`{keyword}` {problem}")))?;
                 if let Some([r, g, b]) = colour {

@@ -39,11 +39,19 @@ pub(super) fn mesh(path: &Path, bytes: &[u8]) -> Result<RawMesh, SceneError> {
     Ok(raw)
 }
 
+/// The mean of the transmission filter `Tf`, which `tobj` hands over as text.
+fn translucency(material: &Material) -> f32 {
+    let filter = material.unknown_param.get("Tf").map_or("", String::as_str);
+    let numbers: Vec<f32> = filter.split_whitespace().filter_map(|word| word.parse().ok()).collect();
+    if numbers.is_empty() { 0.0 } else { (numbers.iter().sum::<f32>() / numbers.len() as f32).clamp(0.0, 1.0) }
+}
+
 /// Vertex colours multiply what the material reflects and what it emits.
 fn append(raw: &mut RawMesh, mesh: &Mesh, material: Option<&Material>) {
     let first = raw.vertices.len() as u32;
     let diffuse = material.map_or(GREY, |material| material.diffuse.unwrap_or(GREY));
     let emissive = material.and_then(|material| material.emissive).unwrap_or_default();
+    let translucency = material.map_or(0.0, translucency);
     let positions = mesh.positions.as_chunks::<3>().0;
     let colours = mesh.vertex_color.as_chunks::<3>().0;
     // Where only some faces have normals, there is no telling which vertex owns which.
@@ -56,6 +64,7 @@ fn append(raw: &mut RawMesh, mesh: &Mesh, material: Option<&Material>) {
             normal: normals.get(index).copied().unwrap_or_default(),
             color: std::array::from_fn(|c| (diffuse[c] * tint[c]).clamp(0.0, 1.0)),
             emission: std::array::from_fn(|c| (emissive[c] * tint[c]).max(0.0)),
+            translucency,
         });
     }
     raw.triangles.extend(mesh.indices.as_chunks::<3>().0.iter().map(|corners| corners.map(|corner| first + corner)));
