@@ -2,7 +2,7 @@
 
 use crate::air::Air;
 use crate::flame::{Flame, Source};
-use crate::light::{LIGHTS, add_lights};
+use crate::light::{LightGroup, add_light};
 use crate::random::{Fnv, hash};
 use crate::surface::{PlanKey, SurfacePlan};
 use crate::{FlameError, FlameSettings};
@@ -48,6 +48,9 @@ pub struct Flames {
     indices: Vec<u32>,
     draws: Vec<FlameDraw>,
     shades: Vec<FlameShade>,
+    /// Flames over overlapping wicks share their lights; which group each flame is in.
+    light_groups: Vec<LightGroup>,
+    group_of: Vec<usize>,
     lights: Vec<Light>,
 }
 
@@ -64,6 +67,7 @@ impl Flames {
         for (i, settings) in settings.into_iter().enumerate() {
             let seed = hash(seed ^ hash(i as u64));
             let flame = Flame::new(settings, seed, |key| flames.plan(key))?;
+            flames.group(&flame);
             flames.flames.push(flame);
         }
         Ok(flames)
@@ -81,6 +85,16 @@ impl Flames {
         (next.time_s, next.steps) = (self.time_s, self.steps);
         *self = next;
         Ok(())
+    }
+
+    /// Puts a flame among those whose wicks it overlaps, or begins a group.
+    fn group(&mut self, flame: &Flame) {
+        let (center, length_m) = flame.roots.middle_and_length();
+        let found = self.light_groups.iter().position(|group| group.takes(center, length_m));
+        self.group_of.push(found.unwrap_or(self.light_groups.len()));
+        if found.is_none() {
+            self.light_groups.push(LightGroup::new(center, length_m));
+        }
     }
 
     /// The plan for surfaces of a size, made once; its triangles go to the shared index buffer.
@@ -121,7 +135,8 @@ impl Flames {
         self.draws.clear();
         self.shades.clear();
         self.lights.clear();
-        for flame in &self.flames {
+        self.light_groups.iter_mut().for_each(LightGroup::clear);
+        for (flame, &group) in self.flames.iter().zip(&self.group_of) {
             for (surface, shade, free) in flame.surfaces() {
                 let plan = if free { &flame.free_plan } else { &flame.plan };
                 let start = self.plans.iter().find(|(p, _)| Arc::ptr_eq(p, plan)).map_or(0, |(_, start)| *start);
@@ -134,10 +149,10 @@ impl Flames {
                     index_count: plan.indices().len() as u32,
                 });
                 self.shades.push(shade);
-                let count = if free { 1 } else { LIGHTS };
-                add_lights(surface, plan, &shade, flame.body, count, &mut self.lights);
+                add_light(surface, plan, &shade, flame.body, free, &mut self.light_groups[group]);
             }
         }
+        self.lights.extend(self.light_groups.iter().flat_map(LightGroup::lights));
     }
 
     /// Simulated time, s.
@@ -165,7 +180,7 @@ impl Flames {
     pub fn shades(&self) -> &[FlameShade] {
         &self.shades
     }
-    /// Three lights for each attached flame, one for each free one; dark ones are left out.
+    /// Up to three lights, from root to tip, for each group of flames whose wicks overlap.
     #[must_use]
     pub fn lights(&self) -> &[Light] {
         &self.lights

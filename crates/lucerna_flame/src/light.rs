@@ -8,8 +8,67 @@ use crate::surface::{Surface, SurfacePlan};
 use glam::Vec3;
 use lucerna_frame::{FlameShade, Light};
 
-/// Lights of an attached flame: enough that shadows follow its parts, not only its middle.
+/// Lights of a group of flames, from root to tip: enough that shadows follow its parts, not only its middle.
 pub(crate) const LIGHTS: usize = 3;
+
+/// The luminous volume of one part of a group, gathered surface by surface.
+#[derive(Clone, Copy, Debug, Default)]
+struct Part {
+    /// Radiant intensity of the black body's luminance 1, and its moments about the group's centre.
+    power: f32,
+    first: Vec3,
+    second: f32,
+    color: Vec3,
+}
+
+/// Flames over overlapping wicks, which light the scene as one: their light is the sum of theirs, and it costs the
+/// renderer no more than that of a single flame.
+#[derive(Clone, Debug)]
+pub(crate) struct LightGroup {
+    /// Middle and length of the group's first wick, m.
+    center: Vec3,
+    length_m: f32,
+    parts: [Part; LIGHTS],
+}
+
+impl LightGroup {
+    pub(crate) fn new(center: Vec3, length_m: f32) -> Self {
+        Self { center, length_m, parts: Default::default() }
+    }
+
+    /// True if a wick with this middle and length overlaps the group's first.
+    pub(crate) fn takes(&self, center: Vec3, length_m: f32) -> bool {
+        center.distance(self.center) < self.length_m.max(length_m)
+    }
+
+    /// Starts anew.
+    pub(crate) fn clear(&mut self) {
+        self.parts = Default::default();
+    }
+
+    fn add(&mut self, part: usize, power: f32, position: Vec3, radius_m: f32, color: Vec3) {
+        let from_center = position - self.center;
+        let part = &mut self.parts[part];
+        part.power += power;
+        part.first += from_center * power;
+        part.second += (from_center.length_squared() + radius_m * radius_m) * power;
+        part.color += color * power;
+    }
+
+    /// Up to three lights; dark parts are left out.
+    pub(crate) fn lights(&self) -> impl Iterator<Item = Light> + '_ {
+        self.parts.iter().filter(|part| part.power > 1e-12).map(|part| {
+            let mean = part.first / part.power;
+            // How far the gas lies from the light that stands for it.
+            let spread = (part.second / part.power - mean.length_squared()).max(0.0).sqrt();
+            Light {
+                position: (self.center + mean).to_array(),
+                radius_m: spread.max(1e-4),
+                intensity: part.color.to_array(),
+            }
+        })
+    }
+}
 
 /// Soot at a height, 0 to 1, as `FlameShade` describes it.
 fn soot(shade: &FlameShade, height: f32) -> f32 {
@@ -18,17 +77,17 @@ fn soot(shade: &FlameShade, height: f32) -> f32 {
     t * t * (3.0 - 2.0 * t) * tip
 }
 
-/// Adds the lights of one surface. `body` is the black body's colour at the soot's temperature.
-pub(crate) fn add_lights(
+/// Adds the light of one surface to its group; that of a free flame goes to the tip's. `body` is the black body's
+/// colour at the soot's temperature.
+pub(crate) fn add_light(
     surface: &Surface,
     plan: &SurfacePlan,
     shade: &FlameShade,
     body: Vec3,
-    count: usize,
-    out: &mut Vec<Light>,
+    is_free: bool,
+    group: &mut LightGroup,
 ) {
-    let mut sums = [(0.0_f32, Vec3::ZERO, 0.0_f32); LIGHTS];
-    let count = count.clamp(1, LIGHTS);
+    let color = body * Vec3::from(shade.tint) * shade.strength;
     let up = plan.key.up;
     let mut above = section(surface, plan, 0);
     for ring in 1..=up {
@@ -40,20 +99,9 @@ pub(crate) fn add_lights(
         let extinction = shade.soot_per_m * soot(shade, height);
         let tau = (extinction * radius).max(1e-6);
         let power = 0.5 * volume * extinction * (-tau).exp_m1() / -tau;
-        let part = ((height * count as f32) as usize).min(count - 1);
-        let sum = &mut sums[part];
-        *sum = (sum.0 + power, sum.1 + 0.5 * (above.0 + below.0) * power, sum.2 + radius * power);
+        let part = if is_free { LIGHTS - 1 } else { ((height * LIGHTS as f32) as usize).min(LIGHTS - 1) };
+        group.add(part, power, 0.5 * (above.0 + below.0), radius, color);
         above = below;
-    }
-    let color = body * Vec3::from(shade.tint) * shade.strength;
-    for (power, position, radius) in &sums[..count] {
-        if *power > 1e-12 {
-            out.push(Light {
-                position: (*position / *power).to_array(),
-                radius_m: (radius / power).max(1e-4),
-                intensity: (color * *power).to_array(),
-            });
-        }
     }
 }
 
@@ -76,5 +124,20 @@ mod tests {
         let shade = FlameShade::default();
         assert_eq!((soot(&shade, 0.0), soot(&shade, 0.13), soot(&shade, 0.6), soot(&shade, 1.0)), (0.0, 0.0, 1.0, 0.0));
         assert!((soot(&shade, 0.28) - 0.5).abs() < 1e-3);
+    }
+
+    #[test]
+    fn a_group_shines_as_its_flames_do_together() {
+        let mut group = LightGroup::new(Vec3::new(100.0, 0.0, 0.0), 0.3);
+        assert!(group.takes(Vec3::new(100.2, 0.0, 0.0), 0.1) && !group.takes(Vec3::new(100.4, 0.0, 0.0), 0.1));
+        for (x, power) in [(99.9, 1.0), (100.1, 3.0)] {
+            group.add(0, power, Vec3::new(x, 0.2, 0.0), 0.0, Vec3::ONE);
+        }
+        let lights: Vec<_> = group.lights().collect();
+        assert_eq!(lights.len(), 1);
+        assert_eq!(lights[0].intensity, [4.0; 3]);
+        assert!(Vec3::from(lights[0].position).distance(Vec3::new(100.05, 0.2, 0.0)) < 1e-4);
+        // One and three parts, 0.2 m apart: a standard deviation of 0.2 sqrt(3) / 4.
+        assert!((lights[0].radius_m - 0.2 * 3.0_f32.sqrt() / 4.0).abs() < 1e-3, "{}", lights[0].radius_m);
     }
 }

@@ -50,6 +50,13 @@ pub fn lead_of_row(row: usize, leads: usize) -> usize {
 }
 
 impl Roots {
+    /// The mean of the lead roots, and the distance between the first and the last along the wick, m.
+    pub(crate) fn middle_and_length(&self) -> (Vec3, f32) {
+        let middle = self.leads.iter().map(|lead| lead.position).sum::<Vec3>() / self.leads.len().max(1) as f32;
+        let length = self.leads.windows(2).map(|pair| pair[0].position.distance(pair[1].position)).sum();
+        (middle, length)
+    }
+
     /// Places roots along a centreline: `slices` + 2 leads, one for a point-like wick.
     #[must_use]
     pub fn place(centreline: &Centreline, slices: u32, width_m: f32) -> Self {
