@@ -1,6 +1,7 @@
 //! Every shader translates to every back end, with core features only. No GPU is needed.
 
-use naga::back::{glsl, hlsl, msl, spv};
+use naga::back::pipeline_constants::process_overrides;
+use naga::back::{PipelineConstants, glsl, hlsl, msl, spv};
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{Module, ShaderStage};
 
@@ -10,7 +11,10 @@ fn parse(name: &str, source: &str) -> (Module, ModuleInfo) {
     let info = Validator::new(ValidationFlags::all(), Capabilities::empty())
         .validate(&module)
         .unwrap_or_else(|e| panic!("{}", e.emit_to_string_with_path(source, name)));
-    (module, info)
+    // Constants that pipelines choose keep their defaults here.
+    let constants = PipelineConstants::default();
+    let (module, info) = process_overrides(&module, &info, None, &constants).unwrap_or_else(|e| panic!("{name}: {e}"));
+    (module.into_owned(), info.into_owned())
 }
 
 #[test]

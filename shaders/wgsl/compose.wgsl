@@ -1,12 +1,14 @@
 // Everything into the target: scene behind the flames, blurred flames on top, exposure, tone map, dither.
 
+// Chosen when the pipeline is made: on software drivers a branch not taken costs as much as one taken.
+override GLOW_LEVELS: u32 = 4u;
+override SHARPEST_IS_FULL: bool = false;
+
 struct Compose {
     // One gain for each blurred copy; 0 where there is none.
     gains: vec4f,
     // debug view (see below), its layer, unused, unused
     debug: vec4u,
-    // Where each copy is not black: first and last pixel along x and y.
-    reach: array<vec4f, 4>,
 }
 
 @group(1) @binding(0) var<uniform> compose: Compose;
@@ -47,29 +49,24 @@ fn dither(pixel: vec2f) -> f32 {
 
 // The sharpest copy is of full size or stands alone; reading it needs no filter then.
 fn sharpest_at(pixel: vec2f, uv: vec2f) -> vec4f {
-    if !is_reached(0u, pixel) {
+    if GLOW_LEVELS == 0u {
         return vec4f(0.0);
     }
-    if all(textureDimensions(glow_0) == view.size_layers_lights.xy) {
+    if SHARPEST_IS_FULL {
         return textureLoad(glow_0, vec2i(pixel), 0);
     }
     return textureSampleLevel(glow_0, linear_sampler, uv, 0.0);
 }
 
-fn is_reached(level: u32, pixel: vec2f) -> bool {
-    let reach = compose.reach[level];
-    return all(pixel >= reach.xy) && all(pixel <= reach.zw);
-}
-
-fn glow_at(sharpest: vec3f, pixel: vec2f, uv: vec2f) -> vec3f {
+fn glow_at(sharpest: vec3f, uv: vec2f) -> vec3f {
     var sum = sharpest * compose.gains.x;
-    if is_reached(1u, pixel) {
+    if GLOW_LEVELS > 1u {
         sum += textureSampleLevel(glow_1, linear_sampler, uv, 0.0).rgb * compose.gains.y;
     }
-    if is_reached(2u, pixel) {
+    if GLOW_LEVELS > 2u {
         sum += textureSampleLevel(glow_2, linear_sampler, uv, 0.0).rgb * compose.gains.z;
     }
-    if is_reached(3u, pixel) {
+    if GLOW_LEVELS > 3u {
         sum += textureSampleLevel(glow_3, linear_sampler, uv, 0.0).rgb * compose.gains.w;
     }
     return sum * view.extra.y;
@@ -119,7 +116,7 @@ fn debug_light(pixel: vec2i, uv: vec2f) -> vec3f {
             return textureLoad(opaque_color, pixel, 0).rgb;
         }
         default: {
-            return glow_at(sharpest_at(vec2f(pixel), uv).rgb, vec2f(pixel), uv);
+            return glow_at(sharpest_at(vec2f(pixel), uv).rgb, uv);
         }
     }
 }
@@ -142,7 +139,7 @@ fn fs_compose(@builtin(position) position: vec4f) -> @location(0) vec4f {
     // The sharpest copy also says how much of the scene the soot hides: its edge must be as soft as the flame's.
     let sharpest = sharpest_at(position.xy, uv);
     let scene = textureLoad(opaque_color, vec2i(position.xy), 0).rgb;
-    return vec4f(displayed(scene * (1.0 - sharpest.a) + glow_at(sharpest.rgb, position.xy, uv), position.xy), 1.0);
+    return vec4f(displayed(scene * (1.0 - sharpest.a) + glow_at(sharpest.rgb, uv), position.xy), 1.0);
 }
 
 // Over a picture that is there already: premultiplied, so that the glow adds and the soot hides.
@@ -150,5 +147,5 @@ fn fs_compose(@builtin(position) position: vec4f) -> @location(0) vec4f {
 fn fs_over(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let uv = position.xy / vec2f(view.size_layers_lights.xy);
     let sharpest = sharpest_at(position.xy, uv);
-    return vec4f(displayed(glow_at(sharpest.rgb, position.xy, uv), position.xy), sharpest.a);
+    return vec4f(displayed(glow_at(sharpest.rgb, uv), position.xy), sharpest.a);
 }

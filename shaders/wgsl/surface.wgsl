@@ -3,12 +3,12 @@
 
 struct FlameSurface {
     @builtin(position) @invariant clip: vec4f,
-    @location(0) world: vec3f,
-    @location(1) normal: vec3f,
-    @location(2) height: f32,
-    @location(3) radius: f32,
-    @location(4) uv: vec2f,
-    @location(5) @interpolate(flat) flame: u32,
+    // Cosine between the normal and the direction to the eye.
+    @location(0) facing: f32,
+    @location(1) height: f32,
+    // What the layer keeps beside: the texture's u (shell) or the radius in metres (volume).
+    @location(2) kept: f32,
+    @location(3) @interpolate(flat) flame: u32,
 }
 
 @vertex
@@ -22,11 +22,9 @@ fn vs_flame(
 ) -> FlameSurface {
     var out: FlameSurface;
     out.clip = view.clip_from_world * vec4f(position, 1.0);
-    out.world = position;
-    out.normal = normal;
+    out.facing = dot(normal, normalize(view.eye_time.xyz - position));
     out.height = height;
-    out.radius = radius;
-    out.uv = uv;
+    out.kept = select(radius, uv.x, view.modes.x == 0u);
     out.flame = flame;
     return out;
 }
@@ -45,15 +43,13 @@ struct Layer {
 }
 
 fn pack_layer(in: FlameSurface, front: bool) -> vec2u {
-    let to_eye = normalize(view.eye_time.xyz - in.world);
-    let facing = abs(dot(normalize(in.normal), to_eye));
     let height = u32(clamp(in.height, 0.0, 1.0) * 65535.0 + 0.5);
     let first = ((in.flame + 1u) << 17u) | (select(0u, 1u, front) << 16u) | height;
-    var second = u32(clamp(facing, 0.0, 1.0) * 65535.0 + 0.5);
+    var second = u32(clamp(abs(in.facing), 0.0, 1.0) * 65535.0 + 0.5);
     if view.modes.x == 0u {
-        second |= u32(fract(in.uv.x) * 65535.0 + 0.5) << 16u;
+        second |= u32(fract(in.kept) * 65535.0 + 0.5) << 16u;
     } else {
-        second |= u32(sqrt(clamp(in.radius / RADIUS_LIMIT_M, 0.0, 1.0)) * 65535.0 + 0.5) << 16u;
+        second |= u32(sqrt(clamp(in.kept / RADIUS_LIMIT_M, 0.0, 1.0)) * 65535.0 + 0.5) << 16u;
     }
     return vec2u(first, second);
 }

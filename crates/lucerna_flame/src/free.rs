@@ -40,6 +40,12 @@ impl Free {
         }
     }
 
+    /// Goes on where `old`, of as many points, burns.
+    pub(crate) fn inherit(&mut self, old: &Self) {
+        (self.burning, self.age_s, self.life_s, self.side) = (old.burning, old.age_s, old.life_s, old.side);
+        self.points.clone_from(&old.points);
+    }
+
     fn count(&self) -> usize {
         self.lengths.len()
     }

@@ -36,9 +36,10 @@ impl LightGroup {
         Self { center, length_m, parts: Default::default() }
     }
 
-    /// True if a wick with this middle and length overlaps the group's first.
+    /// True if a wick with this middle and length overlaps the group's first, or lies about a length from it: such
+    /// flames merge (Delichatsios: above three times their spacing).
     pub(crate) fn takes(&self, center: Vec3, length_m: f32) -> bool {
-        center.distance(self.center) < self.length_m.max(length_m)
+        center.distance(self.center) < self.length_m + length_m
     }
 
     /// Starts anew.
@@ -129,7 +130,7 @@ mod tests {
     #[test]
     fn a_group_shines_as_its_flames_do_together() {
         let mut group = LightGroup::new(Vec3::new(100.0, 0.0, 0.0), 0.3);
-        assert!(group.takes(Vec3::new(100.2, 0.0, 0.0), 0.1) && !group.takes(Vec3::new(100.4, 0.0, 0.0), 0.1));
+        assert!(group.takes(Vec3::new(100.2, 0.0, 0.0), 0.1) && !group.takes(Vec3::new(100.5, 0.0, 0.0), 0.1));
         for (x, power) in [(99.9, 1.0), (100.1, 3.0)] {
             group.add(0, power, Vec3::new(x, 0.2, 0.0), 0.0, Vec3::ONE);
         }

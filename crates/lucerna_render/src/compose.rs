@@ -5,20 +5,14 @@ use crate::renderer::FireRenderer;
 use crate::targets::Targets;
 use lucerna_frame::{DebugView, Look};
 
-/// A rectangle that no pixel is in.
-const NOWHERE: [f32; 4] = [1.0, 1.0, -1.0, -1.0];
-
-/// What `compose.wgsl` is told: `bounds` are the pixels of the flames, `radii` the reach of the blurs in texels.
-pub(crate) fn compose_data(look: &Look, bounds: Option<[u32; 4]>, radii: &[u32; MAX_GLOW]) -> ComposeData {
+/// What `compose.wgsl` is told.
+pub(crate) fn compose_data(look: &Look) -> ComposeData {
     let mut gains = [0.0; MAX_GLOW];
-    let mut reach = [NOWHERE; MAX_GLOW];
-    for (index, level) in look.glow.iter().enumerate() {
-        gains[index] = level.gain;
-        reach[index] = grown(bounds, level.divisor * (radii[index] + 2));
+    for (gain, level) in gains.iter_mut().zip(&look.glow) {
+        *gain = level.gain;
     }
     if look.glow.is_empty() {
         gains[0] = 1.0;
-        reach[0] = grown(bounds, 1);
     }
     let debug = match look.debug {
         DebugView::Final => [0, 0],
@@ -33,14 +27,7 @@ pub(crate) fn compose_data(look: &Look, bounds: Option<[u32; 4]>, radii: &[u32; 
         }
         DebugView::Opaque => [5, 0],
     };
-    ComposeData { gains, debug: [debug[0], debug[1], 0, 0], reach }
-}
-
-/// First and last pixel of the flames' bounds with a border.
-fn grown(bounds: Option<[u32; 4]>, border: u32) -> [f32; 4] {
-    let Some([x, y, width, height]) = bounds else { return NOWHERE };
-    let border = border as f32;
-    [x as f32 - border, y as f32 - border, (x + width) as f32 + border, (y + height) as f32 + border]
+    ComposeData { gains, debug: [debug[0], debug[1], 0, 0] }
 }
 
 impl FireRenderer {
@@ -62,15 +49,42 @@ impl FireRenderer {
             })],
             ..Default::default()
         });
-        let which = if self.debug == DebugView::Final { usize::from(over) } else { 2 };
-        pass.set_pipeline(&self.pipelines.compose[which]);
         pass.set_bind_group(0, &self.common_group, &[]);
         pass.set_bind_group(1, &targets.compose_group, &[]);
-        pass.draw(0..3, 0..1);
+        if self.debug != DebugView::Final {
+            pass.set_pipeline(&self.pipelines.debug);
+            pass.draw(0..3, 0..1);
+        } else {
+            if !over {
+                // Where no glow reaches there is only the scene.
+                pass.set_pipeline(&self.pipelines.compose.scene);
+                pass.draw(0..3, 0..1);
+            }
+            if let Some([x, y, width, height]) = self.glow_reach(targets) {
+                let levels = &self.pipelines.compose.levels[targets.glow.len().max(1) - 1];
+                let sharpest_is_full = targets.glow.first().is_none_or(|level| level.divisor == 1);
+                pass.set_scissor_rect(x, y, width, height);
+                pass.set_pipeline(&levels[usize::from(over)][usize::from(sharpest_is_full)]);
+                pass.draw(0..3, 0..1);
+                pass.set_scissor_rect(0, 0, targets.shape.size[0], targets.shape.size[1]);
+            }
+        }
         if self.line_vertex_count > 0 {
             pass.set_pipeline(&self.pipelines.lines);
             pass.set_vertex_buffer(0, self.lines.buffer.slice(..));
             pass.draw(0..self.line_vertex_count, 0..1);
         }
+    }
+}
+
+impl FireRenderer {
+    /// The pixels that any blurred copy reaches: x, y, width, height.
+    fn glow_reach(&self, targets: &Targets) -> Option<[u32; 4]> {
+        let [x, y, width, height] = self.flame_bounds?;
+        let reach = |(level, radius): (&crate::targets::GlowTarget, u32)| level.divisor * (radius + 2);
+        let border = targets.glow.iter().zip(self.glow_radii).map(reach).max().unwrap_or(0);
+        let [right, bottom] = [x + width + border, y + height + border];
+        let (x, y) = (x.saturating_sub(border), y.saturating_sub(border));
+        Some([x, y, right.min(targets.shape.size[0]) - x, bottom.min(targets.shape.size[1]) - y])
     }
 }

@@ -28,7 +28,7 @@ pub(crate) struct View {
 }
 
 /// Light of a shell texel at full brightness, as displayed: shells are painted for the display.
-const SHELL_GAIN: f32 = 0.9;
+const SHELL_GAIN: f32 = 1.5;
 
 impl View {
     pub(crate) fn new(size: [u32; 2], frame: &Frame<'_>, camera: &Camera, look: &Look, encode: bool) -> Self {
@@ -36,6 +36,7 @@ impl View {
         let adapt = adaptation(look.white_k);
         let exposure = look.exposure_stops.exp2();
         let forward = (Vec3::from(camera.target) - Vec3::from(camera.eye)).normalize_or(Vec3::NEG_Z);
+        let gains: f32 = if look.glow.is_empty() { 1.0 } else { look.glow.iter().map(|level| level.gain).sum() };
         let volume = look.shading == Shading::Volume;
         Self {
             clip_from_world: clip_from_world.to_cols_array_2d(),
@@ -52,7 +53,12 @@ impl View {
                 u32::from(encode),
                 u32::from(look.tone_map == ToneMap::Filmic),
             ],
-            extra: [look.shell_softness, if volume { 1.0 } else { SHELL_GAIN / exposure }, 0.0, 0.0],
+            extra: [
+                look.shell_softness,
+                if volume { 1.0 } else { SHELL_GAIN / (exposure * gains.max(1e-3)) },
+                0.0,
+                0.0,
+            ],
         }
     }
 }
@@ -124,5 +130,4 @@ pub(crate) struct Kernel {
 pub(crate) struct ComposeData {
     pub(crate) gains: [f32; MAX_GLOW],
     pub(crate) debug: [u32; 4],
-    pub(crate) reach: [[f32; 4]; MAX_GLOW],
 }

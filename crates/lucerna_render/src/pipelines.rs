@@ -108,6 +108,15 @@ impl Layouts {
     }
 }
 
+/// Composition, specialised by what it has to read.
+#[derive(Debug)]
+pub(crate) struct ComposePipelines {
+    /// Where no glow reaches.
+    pub(crate) scene: RenderPipeline,
+    /// By number of blurred copies; onto a fresh target and over what is there; sharpest copy reduced and full.
+    pub(crate) levels: [[[RenderPipeline; 2]; 2]; 4],
+}
+
 /// All pipelines.
 #[derive(Debug)]
 pub(crate) struct Pipelines {
@@ -123,8 +132,9 @@ pub(crate) struct Pipelines {
     pub(crate) volume: RenderPipeline,
     pub(crate) blur: RenderPipeline,
     pub(crate) shrink: RenderPipeline,
-    /// Onto a fresh target, over what is there, and of one intermediate target.
-    pub(crate) compose: [RenderPipeline; 3],
+    pub(crate) compose: ComposePipelines,
+    /// One intermediate target.
+    pub(crate) debug: RenderPipeline,
     pub(crate) lines: RenderPipeline,
 }
 
@@ -145,6 +155,7 @@ struct Recipe<'a> {
     depth: bool,
     topology: PrimitiveTopology,
     samples: u32,
+    compilation: wgpu::PipelineCompilationOptions<'a>,
 }
 
 impl Recipe<'_> {
@@ -177,7 +188,7 @@ impl Recipe<'_> {
             fragment: self.fragment.as_ref().map(|(entry, _)| wgpu::FragmentState {
                 module: self.source,
                 entry_point: Some(entry),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                compilation_options: self.compilation.clone(),
                 targets: &targets,
             }),
             multiview_mask: None,
@@ -198,7 +209,8 @@ fn triangles<'a>(
     samples: u32,
 ) -> RenderPipeline {
     let topology = PrimitiveTopology::TriangleList;
-    Recipe { label, source, groups, vertex, fragment, depth, topology, samples }.make(device)
+    let compilation = wgpu::PipelineCompilationOptions::default();
+    Recipe { label, source, groups, vertex, fragment, depth, topology, samples, compilation }.make(device)
 }
 
 /// A pass over every pixel.
@@ -210,7 +222,22 @@ fn full(
     entry: &str,
     target: ColorTargetState,
 ) -> RenderPipeline {
-    triangles(device, label, source, groups, ("vs_fullscreen", None), Some((entry, target)), false, 1)
+    full_with(device, label, source, groups, entry, target, wgpu::PipelineCompilationOptions::default())
+}
+
+/// A pass over every pixel with its constants chosen.
+fn full_with(
+    device: &Device,
+    label: &str,
+    source: &wgpu::ShaderModule,
+    groups: &[Option<&BindGroupLayout>],
+    entry: &str,
+    target: ColorTargetState,
+    compilation: wgpu::PipelineCompilationOptions<'_>,
+) -> RenderPipeline {
+    let (vertex, fragment) = (("vs_fullscreen", None), Some((entry, target)));
+    let topology = PrimitiveTopology::TriangleList;
+    Recipe { label, source, groups, vertex, fragment, depth: false, topology, samples: 1, compilation }.make(device)
 }
 
 const ADD: wgpu::BlendComponent = wgpu::BlendComponent {
@@ -277,11 +304,22 @@ impl Pipelines {
         let shrink = full(device, "shrink", &source, &[Some(&layouts.blur)], "fs_shrink", HDR.into());
         let source = module("compose", wgsl::COMPOSE);
         let groups = [common, Some(&layouts.compose)];
-        let compose = [
-            full(device, "compose", &source, &groups, "fs_compose", target.into()),
-            full(device, "compose over", &source, &groups, "fs_over", blended(target, OVER)),
-            full(device, "debug view", &source, &groups, "fs_debug", target.into()),
-        ];
+        let make = |entry, target: ColorTargetState, levels, full: bool| {
+            let constants = [("GLOW_LEVELS", f64::from(levels)), ("SHARPEST_IS_FULL", f64::from(u8::from(full)))];
+            let compilation = wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() };
+            full_with(device, "compose", &source, &groups, entry, target, compilation)
+        };
+        let compose = ComposePipelines {
+            scene: make("fs_compose", target.into(), 0, true),
+            levels: [1, 2, 3, 4].map(|levels| {
+                [("fs_compose", target.into()), ("fs_over", blended(target, OVER))].map(
+                    |(entry, target): (_, ColorTargetState)| {
+                        [false, true].map(|full| make(entry, target.clone(), levels, full))
+                    },
+                )
+            }),
+        };
+        let debug = full(device, "debug view", &source, &groups, "fs_debug", target.into());
         let source = module("lines", wgsl::LINES);
         let lines = Recipe {
             label: "lines",
@@ -292,6 +330,7 @@ impl Pipelines {
             depth: false,
             topology: PrimitiveTopology::LineList,
             samples: 1,
+            compilation: wgpu::PipelineCompilationOptions::default(),
         }
         .make(device);
         Self {
@@ -307,6 +346,7 @@ impl Pipelines {
             blur,
             shrink,
             compose,
+            debug,
             lines,
         }
     }

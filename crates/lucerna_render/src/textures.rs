@@ -80,12 +80,13 @@ fn painted_texel(h: f32, streaks: f32) -> [u8; 4] {
         let t = ((x - from) / (to - from)).clamp(0.0, 1.0);
         t * t * (3.0 - 2.0 * t)
     };
-    let body = ramp(0.04, 0.35, h) * ramp(1.02, 0.55, h);
-    let strength = body * (0.35 + 0.75 * streaks);
-    let blue = 0.16 * ramp(0.30, 0.02, h);
-    let red = strength;
-    let green = strength * (0.50 + 0.12 * ramp(0.9, 0.3, h)) * (0.75 + 0.35 * streaks);
-    let base_blue = strength * 0.14;
+    let body = ramp(0.02, 0.30, h) * ramp(1.0, 0.45, h);
+    let strength = body * (0.2 + 1.1 * streaks);
+    let blue = 0.05 * ramp(0.25, 0.02, h);
+    // Layers add up to yellow: one alone is a deep orange.
+    let red = strength * 0.5;
+    let green = red * (0.24 + 0.14 * ramp(0.95, 0.3, h)) * (0.7 + 0.45 * streaks);
+    let base_blue = red * 0.02;
     let encode = |linear: f32| (linear.clamp(0.0, 1.0).powf(1.0 / 2.2) * 255.0) as u8;
     [encode(red + blue * 0.1), encode(green + blue * 0.3), encode(base_blue + blue), 255]
 }

@@ -1,7 +1,7 @@
 //! Named changes to a scene: what paper 003's authors run, a cheap scene, a fine one.
 
 use crate::{AirSides, Pressure, Scene, SceneError};
-use lucerna_flame::{FuelDistribution, FuelForm};
+use lucerna_flame::{FuelDistribution, FuelForm, SurfaceGrid};
 use lucerna_frame::{Blur, GlowLevel, Look, Shading, Transparency};
 
 const NAMES: &[&str] = &["paper", "draft", "fine"];
@@ -87,7 +87,8 @@ fn paper(scene: &mut Scene) {
         // They let each of the four leads break with a chance of 0.1 a step.
         let most = 0.1 * 4.0 / air.time_step_s;
         skeletons.shed_per_s = skeletons.shed_per_s.min(most).min(100.0);
-        fire.surface.tip_softness = 0.9;
+        // About the 400 to 570 vertices a surface that they draw.
+        fire.surface = SurfaceGrid { around: 24, up: 20, tip_softness: 0.9 };
     }
     let single = scene.fires.iter().map(|fire| fire.wicks.len()).sum::<usize>() == 1;
     let look = &mut scene.look;

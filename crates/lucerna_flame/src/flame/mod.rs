@@ -125,6 +125,9 @@ impl Flame {
             self.rng = old.rng.clone();
             self.drift_m = old.drift_m;
             self.tongues.clone_from(&old.tongues);
+            if self.row.len() == old.row.len() {
+                self.free.iter_mut().zip(&old.free).for_each(|(free, old)| free.inherit(old));
+            }
         }
     }
 
