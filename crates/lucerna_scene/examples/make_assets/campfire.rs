@@ -10,7 +10,7 @@ newmtl log
 Kd 1 1 1
 newmtl ember
 Kd 0.25 0.07 0.03
-Ke 0.5 0.06 0.004
+Ke 0.16 0.015 0.001
 newmtl stone
 Kd 1 1 1
 newmtl earth
