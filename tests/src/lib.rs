@@ -1,5 +1,6 @@
 //! What the tests across crates share: a device with nothing optional, and textures read back as numbers.
 
+use lucerna::{StepSummary, World};
 use std::time::Duration;
 
 /// A device with core features and default limits only, so that passing here means passing elsewhere.
@@ -12,6 +13,30 @@ pub fn device() -> (wgpu::Device, wgpu::Queue) {
     let adapter = pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()))
         .expect("no graphics adapter: run scripts/setup, or install mesa-vulkan-drivers");
     pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor::default())).expect("a device of core features")
+}
+
+/// A built-in scene that has burned for a while.
+///
+/// # Panics
+/// If it does not burn.
+#[must_use]
+pub fn burning(name: &str, time_s: f64) -> World {
+    let scene = lucerna::scene::builtin(name).expect(name);
+    let mut world = World::new(scene).expect(name);
+    while world.time_s() < time_s {
+        step_once(&mut world);
+    }
+    world
+}
+
+/// One fixed step, whatever its length.
+///
+/// # Panics
+/// If the world does not make just this step.
+pub fn step_once(world: &mut World) -> StepSummary {
+    let summary = world.step(world.scene().scene.air.time_step_s).expect("a step");
+    assert_eq!((summary.steps, summary.dropped), (1, 0));
+    summary
 }
 
 /// A texture to render into and read back.
