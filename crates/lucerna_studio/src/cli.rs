@@ -28,7 +28,7 @@ pub enum Command {
         #[command(flatten)]
         window: WindowArgs,
         /// Size of the window in points [default: 1280x800].
-        #[arg(long, value_name = "WxH", value_parser = parse_size)]
+        #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = parse_size)]
         size: Option<[u32; 2]>,
     },
     /// Draws without a window into a PNG, an animated GIF or a folder of PNGs.
@@ -80,13 +80,13 @@ pub struct SceneArgs {
     #[arg(long, value_name = "NAME")]
     pub preset: Option<String>,
     /// Everything random is drawn from it.
-    #[arg(long, value_name = "S")]
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
     pub seed: Option<u64>,
     /// What a flame's pixels are made from.
     #[arg(long, value_enum)]
     pub shading: Option<ShadingArg>,
     /// Depth layers that are peeled, 1 to 32.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=32))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=32))]
     pub layers: Option<u32>,
 }
 
@@ -94,16 +94,16 @@ pub struct SceneArgs {
 #[derive(Args, Clone, Debug, Default)]
 pub struct RecordArgs {
     /// Number of frames, 1 to 100000 [default: 1; a .gif: five seconds].
-    #[arg(long, value_name = "N", value_parser = parse_frames)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = parse_frames)]
     pub frames: Option<u32>,
     /// Frames per second of simulated time, 1 to 1000 [default: 30; a .gif: 20].
-    #[arg(long, value_name = "F", value_parser = parse_fps)]
+    #[arg(long, value_name = "F", allow_negative_numbers = true, value_parser = parse_fps)]
     pub fps: Option<f64>,
     /// Size of the picture in pixels, 16x16 to 8192x8192 [default: 960x720].
-    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = parse_size)]
     pub size: Option<[u32; 2]>,
     /// Seconds simulated before the first frame, so that the fire burns, 0 to 600.
-    #[arg(long, value_name = "SECONDS", default_value = "2", value_parser = parse_warmup)]
+    #[arg(long, value_name = "SECONDS", default_value = "2", allow_negative_numbers = true, value_parser = parse_warmup)]
     pub warmup: f64,
     /// Where to: a .png (the last frame), a .gif (an animation) or a folder (numbered PNGs).
     #[arg(long, value_name = "PATH")]
@@ -120,7 +120,7 @@ pub struct WindowArgs {
     #[arg(long, value_name = "PATH", requires = "exit_after")]
     pub screenshot: Option<PathBuf>,
     /// Close the window after this many seconds, 0 to 86400.
-    #[arg(long, value_name = "SECONDS", value_parser = parse_exit_after)]
+    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true, value_parser = parse_exit_after)]
     pub exit_after: Option<f64>,
 }
 
