@@ -107,3 +107,9 @@ pub fn read_rgba16f(device: &wgpu::Device, queue: &wgpu::Queue, texture: &wgpu::
         .map(|texel| std::array::from_fn(|i| half(u16::from_le_bytes([texel[2 * i], texel[2 * i + 1]]))))
         .collect()
 }
+
+/// The luminance of a linear colour.
+#[must_use]
+pub fn luminance([r, g, b]: [f32; 3]) -> f32 {
+    0.2126 * r + 0.7152 * g + 0.0722 * b
+}
