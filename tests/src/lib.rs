@@ -3,6 +3,11 @@
 use lucerna::{StepSummary, World};
 use std::time::Duration;
 
+// The examples of the README are compiled and run as those of the documentation are.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;
+
 /// A device with core features and default limits only, so that passing here means passing elsewhere.
 ///
 /// # Panics
