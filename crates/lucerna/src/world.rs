@@ -7,10 +7,17 @@ use lucerna_flame::{FlameSettings, Flames};
 use lucerna_fluid::Fluid;
 use lucerna_frame::{Frame, LineVertex};
 use lucerna_scene::LoadedScene;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
 /// Most fixed steps of one call of [`World::step`]: a slow machine falls behind rather than seize up.
 pub const MAX_STEPS: u32 = 8;
+
+/// A number that no other set of meshes of this program has: one renderer can serve several worlds.
+fn new_mesh_revision() -> u64 {
+    static NEXT: AtomicU64 = AtomicU64::new(1);
+    NEXT.fetch_add(1, Ordering::Relaxed)
+}
 
 /// A scene that burns.
 pub struct World {
@@ -42,7 +49,7 @@ impl World {
         let fluid = air::build(&scene.scene.air)?;
         let flames = Flames::new(settings(&scene)?, scene.scene.seed)?;
         let (debug, lines) = (DebugLines::default(), Vec::new());
-        let mut world = Self { scene, fluid, flames, owed_s: 0.0, debug, lines, mesh_revision: 1 };
+        let mut world = Self { scene, fluid, flames, owed_s: 0.0, debug, lines, mesh_revision: new_mesh_revision() };
         world.build();
         Ok(world)
     }
@@ -127,7 +134,7 @@ impl World {
             self.owed_s = 0.0;
         }
         if self.scene.meshes != scene.meshes {
-            self.mesh_revision += 1;
+            self.mesh_revision = new_mesh_revision();
         }
         self.scene = scene;
         self.build();

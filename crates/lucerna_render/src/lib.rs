@@ -19,6 +19,8 @@
 //! # }
 //! ```
 
+mod bounds;
+mod check;
 mod compose;
 mod data;
 mod error;
