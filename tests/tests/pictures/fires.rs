@@ -7,6 +7,7 @@ use glam::{Vec2, Vec3};
 use lucerna::World;
 use lucerna::flame::WickShape;
 use lucerna::frame::{DebugView, Frame, Look};
+use lucerna::render::FireRenderer;
 use lucerna::scene::builtin_names;
 use lucerna_tests::{burning, luminance};
 use wgpu::TextureFormat::{Rgba8Unorm, Rgba8UnormSrgb, Rgba16Float};
@@ -94,16 +95,20 @@ fn the_same_frame_is_the_same_picture() {
         let look = Look { shading, ..scene.look.clone() };
         let first = painter.bytes(SIZE, &world.frame(), &scene.camera, &look);
         assert!(painter.bytes(SIZE, &world.frame(), &scene.camera, &look) == first, "{shading:?}: drawn again");
-        // Sizes that reduced copies of the flames do not divide, and one of a few texels.
-        for size in [[161, 47], [16, 16], [1, 1], [250, 130]] {
-            let other = painter.bytes(size, &world.frame(), &scene.camera, &look);
-            assert_eq!(other.len(), (size[0] * size[1] * 4) as usize);
+        // Sizes that the reduced copies of the flames do not divide, one of a single pixel, and other looks.
+        let sizes = [[161, 47], [160, 90], [1, 1], [250, 128]].map(|size| (size, look.clone()));
+        let fewer_layers = Look { layers: 2, ..look.clone() };
+        let hard_edges = Look { samples: 1, ..look.clone() };
+        let sharp = Look { glow: Vec::new(), ..look.clone() };
+        for (size, other) in sizes.into_iter().chain([fewer_layers, hard_edges, sharp].map(|look| (SIZE, look))) {
+            let between = painter.bytes(size, &world.frame(), &scene.camera, &other);
+            painter.renderer = FireRenderer::new(&painter.device, &painter.queue, painter.format);
+            let by_a_new_one = painter.bytes(size, &world.frame(), &scene.camera, &other);
+            assert!(between == by_a_new_one, "{shading:?}: {size:?} and {other:?} after another picture");
+            assert!(painter.bytes(SIZE, &world.frame(), &scene.camera, &look) == first, "{shading:?}: after {size:?}");
         }
-        let draft = Look { layers: 2, samples: 1, glow: Vec::new(), ..look.clone() };
-        painter.bytes(SIZE, &world.frame(), &scene.camera, &draft);
-        assert!(painter.bytes(SIZE, &world.frame(), &scene.camera, &look) == first, "{shading:?}: sized back");
         let mut another = Painter::new(Rgba8UnormSrgb);
-        assert!(another.bytes(SIZE, &world.frame(), &scene.camera, &look) == first, "{shading:?}: by another renderer");
+        assert!(another.bytes(SIZE, &world.frame(), &scene.camera, &look) == first, "{shading:?}: on another device");
     }
 }
 

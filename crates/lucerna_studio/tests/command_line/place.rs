@@ -80,7 +80,9 @@ impl Place {
     #[track_caller]
     pub(crate) fn succeed(&self, line: &str) -> String {
         let run = self.run(line);
-        assert_eq!((run.code, run.complaints.as_slice()), (Some(0), &[][..]), "`lucerna {line}`: {run:?}");
+        // A slow machine is told how far a run is.
+        let is_progress = |line: &String| line.starts_with("warming up ") || line.starts_with("frame ");
+        assert!(run.code == Some(0) && run.complaints.iter().all(is_progress), "`lucerna {line}`: {run:?}");
         run.out
     }
 
