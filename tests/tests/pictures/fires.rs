@@ -113,6 +113,19 @@ fn the_same_frame_is_the_same_picture() {
 }
 
 #[test]
+fn one_renderer_draws_several_worlds() {
+    let mut painter = Painter::new(Rgba8UnormSrgb);
+    let worlds = ["candle", "torch", "candle"].map(|name| burning(name, 0.2));
+    for world in &worlds {
+        let scene = &world.scene().scene;
+        let next = painter.bytes(SIZE, &world.frame(), &scene.camera, &scene.look);
+        painter.renderer = FireRenderer::new(&painter.device, &painter.queue, painter.format);
+        let first = painter.bytes(SIZE, &world.frame(), &scene.camera, &scene.look);
+        assert!(next == first, "the {} is drawn with what belongs to another world", scene.name);
+    }
+}
+
+#[test]
 fn targets_that_encode_and_targets_that_do_not_show_the_same_colours() {
     let world = burning("candle", 1.0);
     let scene = &world.scene().scene;
