@@ -103,7 +103,7 @@ mod tests {
 
     #[test]
     fn kernels_keep_energy_and_have_the_width_asked_for() {
-        for sigma in [0.3_f32, 1.0, 3.2, 12.0, 20.0] {
+        for sigma in [0.8_f32, 1.0, 3.2, 12.0, 20.0] {
             let (w, radius) = weights(Blur::Pixels(sigma), 720, 1);
             let sum = w[0] + 2.0 * w[1..].iter().sum::<f32>();
             let variance = 2.0 * w.iter().enumerate().map(|(x, w)| (x * x) as f32 * w).sum::<f32>();
@@ -113,6 +113,14 @@ mod tests {
             assert!((variance - expected).abs() < 0.05 * expected + 0.01, "{sigma}: {variance} vs {expected}");
             assert!(radius < MAX_TAPS as i32);
         }
+    }
+
+    #[test]
+    fn a_blur_below_a_texel_is_what_falls_into_each_texel() {
+        // Half of erfc(0.5 / (0.3 sqrt 2)) lies beyond the centre's edge on either side.
+        let (w, _) = weights(Blur::Pixels(0.3), 720, 1);
+        assert!((w[1] - 0.0478).abs() < 1e-3 && (w[0] - 0.9044).abs() < 1e-3, "{w:?}");
+        assert_eq!(weights(Blur::Pixels(0.0), 720, 1).0[0], 1.0);
     }
 
     #[test]
