@@ -17,7 +17,7 @@ struct View {
     background_exposure: vec4f,
     // width, height, layers, lights
     size_layers_lights: vec4u,
-    // shading (0 shell, 1 volume), integration steps, target is not sRGB, tone map (0 none, 1 filmic)
+    // shading (0 shell, 1 volume), integration steps, what the target stores (see below), tone map (0 none, 1 filmic)
     modes: vec4u,
     // x: softness of shells; y: gain of the flames over the scene (shells are painted for the display); zw: unused
     extra: vec4f,
@@ -38,7 +38,8 @@ struct Flame {
     noise_per_m: f32,
     noise_rise_m_s: f32,
     strength: f32,
-    // Black-body radiance at the soot's temperature, and 300 K below. hot.w: 1 if the eye may be inside the flame.
+    // Black-body radiance at the soot's temperature, and 300 K below; emission of the blue zone. hot.w: 1 if the eye
+    // may be inside the flame. cool.w, blue.w: how far the two octaves of noise have risen, in periods.
     hot: vec4f,
     cool: vec4f,
     blue: vec4f,
@@ -52,6 +53,19 @@ struct Light {
 @group(0) @binding(0) var<uniform> view: View;
 @group(0) @binding(1) var<storage, read> flames: array<Flame>;
 @group(0) @binding(2) var<storage, read> lights: array<Light>;
+
+// What a target stores: linear light that it encodes as sRGB itself, sRGB that we encode, or plain linear numbers.
+const ENCODES: u32 = 0u;
+const ENCODED: u32 = 1u;
+const LINEAR: u32 = 2u;
+
+// Just below what half floats hold: nothing brighter goes into a target, so that nothing becomes infinite.
+const BRIGHTEST: f32 = 6e4;
+
+fn srgb(x: vec3f) -> vec3f {
+    let c = clamp(x, vec3f(0.0), vec3f(1.0));
+    return select(1.055 * pow(c, vec3f(1.0 / 2.4)) - 0.055, c * 12.92, c <= vec3f(0.0031308));
+}
 
 fn adapted(color: vec3f) -> vec3f {
     let c = view.adapt_x.rgb * color.r + view.adapt_y.rgb * color.g + view.adapt_z.rgb * color.b;

@@ -37,11 +37,6 @@ fn filmic(x: vec3f) -> vec3f {
     return mix(channels, min(hue, vec3f(1.0)), 1.0 / 3.0);
 }
 
-fn srgb(x: vec3f) -> vec3f {
-    let c = clamp(x, vec3f(0.0), vec3f(1.0));
-    return select(1.055 * pow(c, vec3f(1.0 / 2.4)) - 0.055, c * 12.92, c <= vec3f(0.0031308));
-}
-
 // Interleaved gradient noise (Jimenez 2014), one step of 8 bits wide: no bands in the dark.
 fn dither(pixel: vec2f) -> f32 {
     return (fract(52.9829189 * fract(dot(pixel, vec2f(0.06711056, 0.00583715)))) - 0.5) / 255.0;
@@ -73,11 +68,14 @@ fn glow_at(sharpest: vec3f, uv: vec2f) -> vec3f {
 }
 
 fn displayed(light: vec3f, pixel: vec2f) -> vec3f {
-    var color = light * view.background_exposure.w;
+    var color = min(light * view.background_exposure.w, vec3f(BRIGHTEST));
     if view.modes.w == 1u {
         color = filmic(color);
     }
-    if view.modes.z == 1u {
+    if view.modes.z == LINEAR {
+        return color;
+    }
+    if view.modes.z == ENCODED {
         return srgb(color) + dither(pixel);
     }
     // The target encodes by itself: a step of the encoded value is about 2.27 sqrt(c) steps of the linear one.
@@ -128,7 +126,7 @@ fn fs_debug(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let pixel = vec2i(position.xy);
     if compose.debug.x == DEBUG_LAYER || compose.debug.x == DEBUG_COUNT {
         let color = debug_color(pixel);
-        return vec4f(select(color, srgb(color), view.modes.z == 1u), 1.0);
+        return vec4f(select(color, srgb(color), view.modes.z == ENCODED), 1.0);
     }
     return vec4f(displayed(debug_light(pixel, uv), position.xy), 1.0);
 }

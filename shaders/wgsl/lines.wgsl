@@ -15,5 +15,5 @@ fn vs_line(@location(0) position: vec3f, @location(1) color: vec3f) -> LinePoint
 
 @fragment
 fn fs_line(in: LinePoint) -> @location(0) vec4f {
-    return vec4f(in.color, 1.0);
+    return vec4f(select(in.color, srgb(in.color), view.modes.z == ENCODED), 1.0);
 }

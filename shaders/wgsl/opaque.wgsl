@@ -64,7 +64,7 @@ fn fs_opaque(in: Surface, @builtin(front_facing) is_front: bool) -> @location(0)
     let gain = view.ambient_gain.w;
     let diffuse = in.color * (irradiance * (gain / 3.14159265) + view.ambient_gain.rgb);
     let specular = gloss * (gain * SPECULAR * (SHININESS + 2.0) / 6.2831853);
-    return vec4f(diffuse + specular + in.emission, 1.0);
+    return vec4f(min(diffuse + specular + in.emission, vec3f(BRIGHTEST)), 1.0);
 }
 
 // The depth alone, for the passes that follow.

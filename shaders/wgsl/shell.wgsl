@@ -12,5 +12,5 @@ fn fs_shell(@builtin(position) position: vec4f) -> @location(0) vec4f {
         }
         sum += shell_color(unpack_layer(packed));
     }
-    return vec4f(sum, 0.0);
+    return vec4f(min(sum, vec3f(BRIGHTEST)), 0.0);
 }

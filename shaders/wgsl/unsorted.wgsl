@@ -7,5 +7,5 @@ fn fs_unsorted(in: FlameSurface, @builtin(front_facing) front: bool) -> @locatio
     if in.clip.z >= textureLoad(scene_depth, vec2i(in.clip.xy), 0).x {
         discard;
     }
-    return vec4f(shell_color(unpack_layer(pack_layer(in, front))), 0.0);
+    return vec4f(min(shell_color(unpack_layer(pack_layer(in, front))), vec3f(BRIGHTEST)), 0.0);
 }

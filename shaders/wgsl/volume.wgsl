@@ -33,15 +33,14 @@ struct Open {
 }
 
 fn noise_at(flame: Flame, index: u32, point: vec3f) -> f32 {
-    let risen = point - vec3f(0.0, flame.noise_rise_m_s * view.eye_time.w, 0.0);
     // Filaments are drawn out upwards; each flame has a pattern of its own.
-    let p = risen * (vec3f(1.0, 0.45, 1.0) * flame.noise_per_m) + vec3f(f32(index) * 0.37);
-    let coarse = textureSampleLevel(noise, noise_sampler, p, 0.0).x;
-    let fine = textureSampleLevel(noise, noise_sampler, p * 2.3 + vec3f(0.0, -view.eye_time.w * 0.6, 0.0), 0.0).x;
+    let p = point * (vec3f(1.0, 0.45, 1.0) * flame.noise_per_m) + vec3f(f32(index) * 0.37);
+    let coarse = textureSampleLevel(noise, noise_sampler, p - vec3f(0.0, flame.cool.w, 0.0), 0.0).x;
+    let fine = textureSampleLevel(noise, noise_sampler, p * 2.3 - vec3f(0.0, flame.blue.w, 0.0), 0.0).x;
     return coarse * 0.65 + fine * 0.35;
 }
 
-// Length of the ray's part in the outer fifth of the radius, the rest of the chord being `length`.
+// Share of a chord that lies in the outer fifth of the radius.
 fn limb_share(facing: f32) -> f32 {
     let f2 = facing * facing;
     return 1.0 - sqrt(max(f2 - 0.36, 0.0)) / max(facing, 1e-4);
@@ -76,7 +75,7 @@ fn interval(ray: Ray, enter: Layer, leave: Layer, from_m: f32, to_m: f32) -> Lig
         }
         let inner = flame.dark_radius * clamp((flame.dark_end - height) / (0.77 * flame.dark_end + 1e-4), 0.0, 1.0);
         let dark = 0.85 * (1.0 - smoothstep(0.6, 1.2, sqrt(q2) / max(inner, 1e-4)));
-        let grown = smoothstep(flame.soot_begin, flame.soot_full, height);
+        let grown = smoothstep(flame.soot_begin, max(flame.soot_full, flame.soot_begin + 1e-4), height);
         let fading = pow(clamp((1.0 - height) / max(flame.tip_fade, 1e-4), 0.0, 1.0), 0.6);
         soot += density * (1.0 - dark) * grown * fading;
     }
@@ -92,7 +91,7 @@ fn interval(ray: Ray, enter: Layer, leave: Layer, from_m: f32, to_m: f32) -> Lig
     let far_m = clamp(last - max(first, from_m + half_m), 0.0, half_m);
     let near = near_m * limb_share(enter.facing) * pow(clamp((flame.blue_end - enter.height) / max(flame.blue_end, 1e-4), 0.0, 1.0), 1.3);
     let far = far_m * limb_share(leave.facing) * pow(clamp((flame.blue_end - leave.height) / max(flame.blue_end, 1e-4), 0.0, 1.0), 1.3);
-    out.blue = flame.blue.rgb * ((near + far) * flame.blue_per_m * flame.strength);
+    out.blue = flame.blue.rgb * flame.tint * ((near + far) * flame.blue_per_m * flame.strength);
     return out;
 }
 
@@ -101,7 +100,7 @@ fn open_interval(ray: Ray, enter: Layer, from_m: f32) -> Light3 {
     var out: Light3;
     let flame = flames[enter.flame];
     let chord = min(2.0 * enter.radius * enter.facing, max(ray.end - from_m, 0.0));
-    let grown = smoothstep(flame.soot_begin, flame.soot_full, enter.height);
+    let grown = smoothstep(flame.soot_begin, max(flame.soot_full, flame.soot_begin + 1e-4), enter.height);
     let fading = pow(clamp((1.0 - enter.height) / max(flame.tip_fade, 1e-4), 0.0, 1.0), 0.6);
     // The mean of 1 - q^2 over a chord is two thirds of facing^2.
     let mean = enter.facing * enter.facing / 1.5;
@@ -189,7 +188,7 @@ fn fs_volume(@builtin(position) position: vec4f) -> @location(0) vec4f {
     }
     // Still inside when the layers ran out: the chord of a round flame entered at this angle ends it.
     for (var slot = 0u; slot < used && !layers_left; slot++) {
-        if opened[slot].count > 0 {
+        if opened[slot].count > 0 && opened[slot].distance < ray.end {
             let light = open_interval(ray, unpack_layer(opened[slot].packed), opened[slot].distance);
             soot += light.soot;
             depth += light.depth;
@@ -198,5 +197,6 @@ fn fs_volume(@builtin(position) position: vec4f) -> @location(0) vec4f {
     }
     // Flames that share a ray are taken as mixed along it: emission adds, and all of it is absorbed alike.
     let escape = select((1.0 - exp(-depth)) / max(depth, 1e-6), 1.0 - 0.5 * depth, depth < 1e-3);
-    return vec4f(adapted(soot) * escape + blue * escape, 1.0 - exp(-depth));
+    let radiance = min(adapted(soot) * escape + blue * escape, vec3f(BRIGHTEST));
+    return vec4f(radiance, 1.0 - exp(-depth));
 }

@@ -54,7 +54,8 @@ pub enum DebugView {
     Opaque,
 }
 
-/// The Gaussian of one blurred copy of the flames.
+/// The Gaussian of one blurred copy of the flames. It reaches 63 texels of the copy at most, so that standard deviations
+/// above 21 are cut to 21.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Blur {
@@ -74,7 +75,8 @@ pub struct GlowLevel {
     pub divisor: u32,
     /// The Gaussian.
     pub blur: Blur,
-    /// Share of the light that goes into this image; gains that add to 1 keep the energy.
+    /// Share of the light that goes into this image; gains that add to 1 keep the energy. (For `shell` shading they are
+    /// divided by their sum.)
     pub gain: f32,
 }
 
@@ -88,9 +90,11 @@ pub struct Look {
     pub transparency: Transparency,
     /// Number of depth layers peeled, 1 to 32. More layers show more overlapping flames and cost a pass each.
     pub layers: u32,
-    /// The blurred copies; at most four. The sharp flames are not shown themselves (paper 003, section 5.2).
+    /// The blurred copies, at most four, the sharpest first: it also says how much of the scene the soot hides. The
+    /// flames themselves are not shown (paper 003, section 5.2).
     pub glow: Vec<GlowLevel>,
-    /// Exposure in stops: +1 doubles the brightness.
+    /// Exposure in stops: +1 doubles the brightness of the scene and of `volume` flames; `shell` flames are painted for
+    /// the display.
     pub exposure_stops: f32,
     /// The colour temperature that appears white, K.
     pub white_k: f32,

@@ -25,7 +25,7 @@ pub(crate) fn bounds(size: [u32; 2], frame: &Frame<'_>, camera: &Camera) -> Opti
 }
 
 /// True if the eye, or the near plane around it, lies in the box around a flame.
-pub(crate) fn encloses(vertices: &[lucerna_frame::FlameVertex], camera: &Camera) -> bool {
+pub(crate) fn encloses(vertices: &[lucerna_frame::FlameVertex], camera: &Camera, size: [u32; 2]) -> bool {
     let eye = glam::Vec3::from(camera.eye);
     let (mut low, mut high) = (glam::Vec3::MAX, glam::Vec3::MIN);
     for vertex in vertices {
@@ -34,6 +34,7 @@ pub(crate) fn encloses(vertices: &[lucerna_frame::FlameVertex], camera: &Camera)
         high = high.max(position);
     }
     // Corners of the near plane are farther away than its centre.
-    let margin = glam::Vec3::splat(4.0 * camera.near_m);
+    let (up, aspect) = ((0.5 * camera.fov_y_deg.to_radians()).tan(), size[0] as f32 / size[1] as f32);
+    let margin = glam::Vec3::splat(camera.near_m * (1.0 + up * up * (1.0 + aspect * aspect)).sqrt());
     (low - margin).cmple(eye).all() && eye.cmple(high + margin).all()
 }

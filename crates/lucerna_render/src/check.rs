@@ -1,8 +1,11 @@
 //! What can be wrong with a picture's size, its camera, its look and its frame, found before anything is uploaded.
 
-use crate::data::{MAX_GLOW, MAX_LAYERS};
+use crate::data::{FlameData, LightData, MAX_GLOW, MAX_LAYERS};
 use crate::error::RenderError;
-use lucerna_frame::{Camera, Frame, Look};
+use lucerna_frame::{Blur, Camera, Frame, Look, OpaqueMesh};
+
+/// Just below what half floats hold, as in `common.wgsl`.
+const BRIGHTEST: f32 = 6e4;
 
 pub(crate) fn check_size([width, height]: [u32; 2], limit: u32) -> Result<(), RenderError> {
     if width == 0 || height == 0 || width > limit || height > limit {
@@ -53,13 +56,49 @@ pub(crate) fn check_look(look: &Look) -> Result<(), RenderError> {
     if !(1000.0..=20_000.0).contains(&look.white_k) {
         return error("white_k", &look.white_k, "1000 to 20000");
     }
+    let brightness = |value: f32| (0.0..=BRIGHTEST).contains(&value);
+    for level in &look.glow {
+        if !brightness(level.gain) {
+            return error("glow.gain", &level.gain, "0 to 60000");
+        }
+        if let Blur::Height(sigma) | Blur::Pixels(sigma) = level.blur
+            && !brightness(sigma)
+        {
+            return error("glow.blur", &sigma, "0 or more");
+        }
+    }
+    if !brightness(look.light_gain) {
+        return error("light_gain", &look.light_gain, "0 to 60000");
+    }
+    if let Some(value) = look.ambient.iter().chain(&look.background).find(|value| !brightness(**value)) {
+        return error("ambient or look.background", value, "0 to 60000");
+    }
+    if !(0.0..=1.0).contains(&look.shell_softness) {
+        return error("shell_softness", &look.shell_softness, "0 to 1");
+    }
+    Ok(())
+}
+
+/// The caller's depth must be of the picture's size.
+pub(crate) fn check_depth(depth: Option<&wgpu::TextureView>, [width, height]: [u32; 2]) -> Result<(), RenderError> {
+    let Some(texture) = depth.map(wgpu::TextureView::texture) else { return Ok(()) };
+    if [texture.width(), texture.height()] != [width, height] || texture.sample_count() != 1 {
+        let problem = format!(
+            "is {} x {} with {} samples: must be {width} x {height} with one",
+            texture.width(),
+            texture.height(),
+            texture.sample_count()
+        );
+        return Err(RenderError::Frame { field: "scene_depth", problem });
+    }
     Ok(())
 }
 
 /// Flames that a layer can name.
 const MAX_FLAMES: usize = (1 << 15) - 2;
 
-pub(crate) fn check_frame(frame: &Frame<'_>) -> Result<(), RenderError> {
+/// Meshes are looked at only when they are new: there may be millions of indices.
+pub(crate) fn check_frame(frame: &Frame<'_>, meshes_are_new: bool, limits: &wgpu::Limits) -> Result<(), RenderError> {
     let error = |field, problem: String| Err(RenderError::Frame { field, problem });
     let (draws, shades) = (frame.flame_draws.len(), frame.flame_shades.len());
     if draws != shades || shades > MAX_FLAMES {
@@ -78,6 +117,24 @@ pub(crate) fn check_frame(frame: &Frame<'_>) -> Result<(), RenderError> {
             return error("flame_draws", problem);
         }
     }
+    let fits = |field, bytes: usize, limit: u64| {
+        if bytes as u64 > limit {
+            return error(field, format!("needs {bytes} bytes: the device takes at most {limit}"));
+        }
+        Ok(())
+    };
+    let (buffer, storage) = (limits.max_buffer_size, limits.max_storage_buffer_binding_size);
+    fits("flame_vertices", size_of_val(frame.flame_vertices), buffer)?;
+    fits("flame_indices", size_of_val(frame.flame_indices), buffer)?;
+    fits("lines", size_of_val(frame.lines), buffer)?;
+    fits("lights", frame.lights.len() * size_of::<LightData>(), storage)?;
+    fits("flame_shades", shades * size_of::<FlameData>(), storage)?;
+    if !meshes_are_new {
+        return Ok(());
+    }
+    let bytes = |of: fn(&OpaqueMesh) -> usize| frame.meshes.iter().map(of).sum();
+    fits("meshes", bytes(|mesh| size_of_val(&*mesh.vertices)), buffer)?;
+    fits("meshes", bytes(|mesh| size_of_val(&*mesh.indices)), buffer)?;
     for (index, mesh) in frame.meshes.iter().enumerate() {
         if let Some(bad) = mesh.indices.iter().find(|&&i| i as usize >= mesh.vertices.len()) {
             return error("meshes", format!("[{index}] has the index {bad} and {} vertices", mesh.vertices.len()));

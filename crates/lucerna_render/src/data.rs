@@ -11,6 +11,28 @@ pub(crate) const MAX_GLOW: usize = 4;
 /// Taps of a blur on each side of the centre, the centre included.
 pub(crate) const MAX_TAPS: usize = 64;
 
+/// What a target stores, as `common.wgsl` numbers it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Storage {
+    /// Linear light, which the target encodes as sRGB by itself.
+    Encodes = 0,
+    /// sRGB that the shader encodes.
+    Encoded = 1,
+    /// Plain linear numbers.
+    Linear = 2,
+}
+
+impl Storage {
+    pub(crate) fn of(format: wgpu::TextureFormat) -> Self {
+        use wgpu::TextureFormat::{Rg11b10Ufloat, Rgba16Float, Rgba32Float};
+        match format {
+            Rg11b10Ufloat | Rgba16Float | Rgba32Float => Self::Linear,
+            _ if format.is_srgb() => Self::Encodes,
+            _ => Self::Encoded,
+        }
+    }
+}
+
 /// `View` in `common.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -31,7 +53,7 @@ pub(crate) struct View {
 const SHELL_GAIN: f32 = 1.5;
 
 impl View {
-    pub(crate) fn new(size: [u32; 2], frame: &Frame<'_>, camera: &Camera, look: &Look, encode: bool) -> Self {
+    pub(crate) fn new(size: [u32; 2], frame: &Frame<'_>, camera: &Camera, look: &Look, storage: Storage) -> Self {
         let clip_from_world = clip_from_world(size, camera);
         let adapt = adaptation(look.white_k);
         let exposure = look.exposure_stops.exp2();
@@ -47,12 +69,7 @@ impl View {
             ambient_gain: Vec3::from(look.ambient).extend(look.light_gain).to_array(),
             background_exposure: Vec3::from(look.background).extend(exposure).to_array(),
             size_layers_lights: [size[0], size[1], look.layers, frame.lights.len() as u32],
-            modes: [
-                u32::from(volume),
-                look.volume_steps,
-                u32::from(encode),
-                u32::from(look.tone_map == ToneMap::Filmic),
-            ],
+            modes: [u32::from(volume), look.volume_steps, storage as u32, u32::from(look.tone_map == ToneMap::Filmic)],
             extra: [
                 look.shell_softness,
                 if volume { 1.0 } else { SHELL_GAIN / (exposure * gains.max(1e-3)) },
@@ -82,8 +99,18 @@ const EDGE_COOLING_K: f32 = 300.0;
 /// Emission of CH and C2 radicals as seen by a camera, linear sRGB.
 const BLUE_RGB: [f32; 3] = [0.10, 0.27, 1.0];
 
+/// How much the noise is drawn out upwards, how much finer its second octave is, and how fast that one rises by itself:
+/// `noise_at` in `volume.wgsl`.
+const NOISE_STRETCH: f64 = 0.45;
+const NOISE_OCTAVE: f64 = 2.3;
+const NOISE_BOIL_PER_S: f64 = 0.6;
+
 impl FlameData {
-    pub(crate) fn new(shade: &FlameShade, eye_may_be_inside: bool) -> Self {
+    pub(crate) fn new(shade: &FlameShade, time_s: f32, eye_may_be_inside: bool) -> Self {
+        // The noise repeats after one period: only the rest matters, which stays exact however long the fire burns.
+        let time_s = f64::from(time_s);
+        let coarse = time_s * f64::from(shade.noise_rise_m_s) * f64::from(shade.noise_per_m) * NOISE_STRETCH;
+        let fine = coarse * NOISE_OCTAVE + time_s * NOISE_BOIL_PER_S;
         let hot = blackbody_rgb(shade.temperature_k);
         // Cooler in hue only: the edge is thin, and its optical depth already makes it dim.
         let cool = blackbody_rgb(shade.temperature_k - EDGE_COOLING_K);
@@ -92,8 +119,8 @@ impl FlameData {
         Self {
             shade: *shade,
             hot: hot.extend(f32::from(u8::from(eye_may_be_inside))).to_array(),
-            cool: cool.extend(0.0).to_array(),
-            blue: Vec3::from(BLUE_RGB).extend(0.0).to_array(),
+            cool: cool.extend(coarse.rem_euclid(1.0) as f32).to_array(),
+            blue: Vec3::from(BLUE_RGB).extend(fine.rem_euclid(1.0) as f32).to_array(),
         }
     }
 }

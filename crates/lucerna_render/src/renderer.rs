@@ -1,9 +1,9 @@
 //! The long-lived renderer: what is made once, what is uploaded for a frame, and the order of the passes.
 
 use crate::bounds::{bounds, encloses};
-use crate::check::{check_camera, check_frame, check_look, check_size};
+use crate::check::{check_camera, check_depth, check_frame, check_look, check_size};
 use crate::compose::compose_data;
-use crate::data::{FlameData, LightData, MAX_GLOW, View};
+use crate::data::{FlameData, LightData, MAX_GLOW, Storage, View};
 use crate::error::RenderError;
 use crate::glow::weights;
 use crate::pipelines::Pipelines;
@@ -35,7 +35,7 @@ impl Stage {
 #[derive(Debug)]
 pub struct FireRenderer {
     pub(crate) pipelines: Pipelines,
-    encodes_srgb: bool,
+    storage: Storage,
     view: wgpu::Buffer,
     compose: wgpu::Buffer,
     pub(crate) open_intervals: wgpu::Buffer,
@@ -74,7 +74,9 @@ pub struct FireRenderer {
 impl FireRenderer {
     /// Makes all pipelines for targets of one format.
     ///
-    /// Formats that encode sRGB themselves and those that do not are both right: the colours on screen agree.
+    /// Formats that encode sRGB themselves and those that do not show the same colours; float formats get linear numbers,
+    /// not dithered. (Over a caller's picture the two 8-bit kinds differ a little where the glow is faint: the target
+    /// blends in its own numbers.)
     #[must_use]
     pub fn new(device: &Device, queue: &Queue, target: wgpu::TextureFormat) -> Self {
         let pipelines = Pipelines::new(device, target);
@@ -93,7 +95,7 @@ impl FireRenderer {
         let sampler = |mode| {
             device.create_sampler(&wgpu::SamplerDescriptor {
                 address_mode_u: mode,
-                address_mode_v: if mode == wgpu::AddressMode::Repeat { mode } else { wgpu::AddressMode::ClampToEdge },
+                address_mode_v: mode,
                 address_mode_w: mode,
                 mag_filter: wgpu::FilterMode::Linear,
                 min_filter: wgpu::FilterMode::Linear,
@@ -104,7 +106,7 @@ impl FireRenderer {
         let painted = textures::painted_flame(device, queue);
         let texture_group = texture_group(device, &pipelines, &painted);
         Self {
-            encodes_srgb: !target.is_srgb() && !is_float(target),
+            storage: Storage::of(target),
             flame_vertices: growing("flame vertices", BufferUsages::VERTEX, 1 << 18),
             flame_indices: growing("flame indices", BufferUsages::INDEX, 1 << 16),
             flame_draws: Vec::new(),
@@ -144,14 +146,17 @@ impl FireRenderer {
     /// `depth` must be of the picture's size, single-sampled, of a format with 0 near and 1 far that can be bound as
     /// a texture. Call it again when that texture is made anew.
     pub fn set_scene_depth(&mut self, depth: Option<&TextureView>) {
-        self.scene_depth = depth.cloned();
-        self.targets = None;
+        if self.scene_depth.as_ref() != depth {
+            self.scene_depth = depth.cloned();
+            self.targets = None;
+        }
     }
 
     /// Replaces the painted flame of `shell` shading: sRGB texels with alpha unused, the tip in the first row.
     ///
     /// # Errors
-    /// [`RenderError::Frame`] if the number of bytes is not width x height x 4.
+    /// [`RenderError::Size`] for no or too many pixels, [`RenderError::Frame`] if the number of bytes is not
+    /// width x height x 4.
     pub fn set_flame_texture(
         &mut self,
         device: &Device,
@@ -159,9 +164,10 @@ impl FireRenderer {
         size: [u32; 2],
         texels: &[u8],
     ) -> Result<(), RenderError> {
+        check_size(size, device.limits().max_texture_dimension_2d)?;
         let expected = size[0] as usize * size[1] as usize * 4;
-        if expected == 0 || texels.len() != expected {
-            let problem = format!("has {} bytes: must be {} x {} x 4, above 0", texels.len(), size[0], size[1]);
+        if texels.len() != expected {
+            let problem = format!("has {} bytes: must be {} x {} x 4", texels.len(), size[0], size[1]);
             return Err(RenderError::Frame { field: "flame_texture", problem });
         }
         let view = textures::flame_texture(device, queue, size, texels);
@@ -197,12 +203,14 @@ impl FireRenderer {
         check_size(size_px, device.limits().max_texture_dimension_2d)?;
         check_camera(camera)?;
         check_look(look)?;
-        check_frame(frame)?;
+        check_depth(self.scene_depth.as_ref(), size_px)?;
+        let meshes_are_new = self.mesh_revision != Some(frame.mesh_revision);
+        check_frame(frame, meshes_are_new, &device.limits())?;
 
         self.flame_data.clear();
         self.flame_data.extend(frame.flame_shades.iter().zip(frame.flame_draws).map(|(shade, draw)| {
             let vertices = &frame.flame_vertices[draw.first_vertex as usize..][..draw.vertex_count as usize];
-            FlameData::new(shade, encloses(vertices, camera))
+            FlameData::new(shade, frame.time_s, encloses(vertices, camera, size_px))
         }));
         self.light_data.clear();
         self.light_data.extend(frame.lights.iter().map(|light| LightData::new(light, look)));
@@ -211,7 +219,7 @@ impl FireRenderer {
         if flames_grew || lights_grew {
             self.common_group = common_group(device, &self.pipelines, &self.view, &self.flames, &self.lights);
         }
-        let view = View::new(size_px, frame, camera, look, self.encodes_srgb);
+        let view = View::new(size_px, frame, camera, look, self.storage);
         queue.write_buffer(&self.view, 0, bytemuck::bytes_of(&view));
         queue.write_buffer(&self.open_intervals, 0, &[0; 4]);
 
@@ -286,11 +294,6 @@ impl FireRenderer {
             self.record(stage, encoder, target);
         }
     }
-}
-
-fn is_float(format: wgpu::TextureFormat) -> bool {
-    use wgpu::TextureFormat::{Rg11b10Ufloat, Rgba16Float, Rgba32Float};
-    matches!(format, Rg11b10Ufloat | Rgba16Float | Rgba32Float)
 }
 
 fn common_group(

@@ -9,7 +9,8 @@ use std::time::Duration;
 pub struct Statistics {
     /// Most flame surfaces behind any pixel: the layers that would show everything.
     pub layers: u32,
-    /// Intervals that were still open when the layers ran out, over all pixels (`volume` shading).
+    /// Flames that were entered but not left when the layers ran out, over all pixels (`volume` shading). Surfaces beyond
+    /// the last layer are not counted: compare `layers`.
     pub open_intervals: u32,
 }
 

@@ -18,8 +18,10 @@ impl GrowBuffer {
     pub(crate) fn write(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, bytes: &[u8]) -> bool {
         let grows = bytes.len() as u64 > self.buffer.size();
         if grows {
-            // Half as much again, so that a slowly growing fire settles.
-            self.buffer = create(device, self.label, self.usage, bytes.len() as u64 * 3 / 2);
+            // Half as much again where the device allows, so that a slowly growing fire settles.
+            let needed = bytes.len() as u64;
+            let roomy = (needed * 3 / 2).min(device.limits().max_buffer_size);
+            self.buffer = create(device, self.label, self.usage, roomy.max(needed));
         }
         if !bytes.is_empty() {
             queue.write_buffer(&self.buffer, 0, bytes);
@@ -29,6 +31,6 @@ impl GrowBuffer {
 }
 
 fn create(device: &wgpu::Device, label: &str, usage: wgpu::BufferUsages, bytes: u64) -> wgpu::Buffer {
-    let size = bytes.max(256).next_multiple_of(16);
+    let size = bytes.max(256).next_multiple_of(wgpu::COPY_BUFFER_ALIGNMENT);
     device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false })
 }
