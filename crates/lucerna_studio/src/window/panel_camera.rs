@@ -23,7 +23,8 @@ pub(super) fn show(ui: &mut Ui, document: &mut Document, view: &mut View) {
     });
     let look = &mut document.edited.look;
     section(ui, "Look", true, |ui| {
-        let tooltip = "Brightness of the picture: one stop doubles it.";
+        let tooltip =
+            "Brightness of the picture: one stop doubles it. In shell shading, flames themselves stay as bright.";
         slider(ui, &mut look.exposure_stops, -4.0..=14.0, "Exposure", "EV", tooltip);
         let tooltip = "The colour temperature that appears white: raising it makes fire look warmer.";
         slider(ui, &mut look.white_k, 1500.0..=10_000.0, "White point", "K", tooltip);

@@ -43,7 +43,8 @@ fn wicks(ui: &mut Ui, wicks: &mut [WickSource]) {
 }
 
 fn fuel(ui: &mut Ui, fuel: &mut Fuel) {
-    let tooltip = "Upward acceleration that a root gives to the air of its cell. Raising it makes flames higher.";
+    let tooltip = "Upward acceleration of the air at each root; it fades out at twice the width of the skeletons, or at one \
+        cell. Raising it makes flames higher.";
     log_slider(ui, &mut fuel.strength_m_s2, 0.1..=500.0, "Strength", "m/s²", tooltip);
     let tooltip = "Heating of the air at each root: hot air rises and makes flames neck and roll.";
     log_slider(ui, &mut fuel.heat_k_s, 0.0..=100_000.0, "Heat", "K/s", tooltip);
@@ -139,7 +140,7 @@ fn surface(ui: &mut Ui, surface: &mut SurfaceGrid) {
     if half != surface.around / 2 {
         surface.around = half * 2;
     }
-    slider(ui, &mut surface.up, 2..=256, "Up", "", "Samples from root to tip: more make the outline smoother.");
+    slider(ui, &mut surface.up, 3..=256, "Up", "", "Samples from root to tip: more make the outline smoother.");
     let tooltip = "How far the first inner knot is raised, in knot intervals: softens the tip.";
     slider(ui, &mut surface.tip_softness, 0.0..=1.0, "Tip softness", "", tooltip);
 }

@@ -18,9 +18,13 @@ fn peeling(ui: &mut Ui, look: &mut Look) {
     let shadings = [("shell", Shading::Shell), ("volume", Shading::Volume)];
     let tooltip = "Shell: a texture on the surface. Volume: light emitted along the part of the ray inside each flame.";
     choice(ui, &mut look.shading, &shadings, "Shading", tooltip);
-    let transparencies = [("peeled", Transparency::Peeled), ("unsorted", Transparency::Unsorted)];
+    if look.shading == Shading::Volume {
+        look.transparency = Transparency::Peeled;
+    }
+    let all = [("peeled", Transparency::Peeled), ("unsorted", Transparency::Unsorted)];
+    let transparencies = if look.shading == Shading::Volume { &all[..1] } else { &all[..] };
     let tooltip = "Peeled: the nearest layers in order. Unsorted: one additive pass, for shell shading only.";
-    choice(ui, &mut look.transparency, &transparencies, "Transparency", tooltip);
+    choice(ui, &mut look.transparency, transparencies, "Transparency", tooltip);
     let tooltip = "Depth layers that are peeled. More show more flames behind one another and cost a pass each.";
     slider(ui, &mut look.layers, 1..=32, "Layers", "", tooltip);
     let tooltip = "Steps of the integration inside each flame in volume shading.";
@@ -84,14 +88,16 @@ fn glow(ui: &mut Ui, look: &mut Look) {
     let room = look.glow.len() < MOST_LEVELS;
     let add = ui.add_enabled(room, egui::Button::new("Add a level"));
     if add.on_hover_text("Adds a blurred copy of the flames; at most four.").clicked() {
-        look.glow.push(GlowLevel { divisor: 8, blur: Blur::Height(0.04), gain: 0.1 });
+        look.glow.push(GlowLevel { divisor: 4, blur: Blur::Height(0.04), gain: 0.1 });
     }
     let sum: f32 = look.glow.iter().map(|level| level.gain).sum();
-    ui.label(format!("The gains add up to {sum:.2}")).on_hover_text("Gains that add up to 1 keep the light's energy.");
+    let tooltip = "In volume shading, gains that add up to 1 keep the light's energy; in shell shading, they are divided by \
+        their sum.";
+    ui.label(format!("The gains add up to {sum:.2}")).on_hover_text(tooltip);
 }
 
 fn one_level(ui: &mut Ui, level: &mut GlowLevel) {
-    let divisors = [("full", 1), ("1/2", 2), ("1/4", 4), ("1/8", 8), ("1/16", 16)];
+    let divisors = [("full", 1), ("1/4", 4), ("1/16", 16)];
     choice(ui, &mut level.divisor, &divisors, "Size", "Size of the blurred image: smaller costs less.");
     let selected = match level.blur {
         Blur::Height(_) => 0,
@@ -113,5 +119,6 @@ fn one_level(ui: &mut Ui, level: &mut GlowLevel) {
         Blur::Pixels(sigma) => slider(ui, sigma, 0.2..=30.0, "Width", "px", tooltip),
         Blur::Published => {}
     }
-    slider(ui, &mut level.gain, 0.0..=1.0, "Gain", "x", "Share of the light that goes into this level.");
+    let tooltip = "Share of the light that goes into this level; in shell shading, relative to the other levels.";
+    slider(ui, &mut level.gain, 0.0..=1.0, "Gain", "x", tooltip);
 }

@@ -39,8 +39,8 @@ pub(super) fn show(ui: &mut Ui, meters: &Meters, world: &World, view: &mut View,
         if let Some(counted) = meters.layers {
             let tooltip = "Most flame surfaces behind any pixel: so many layers would show everything.";
             fact(ui, "Layers", &format!("{:7}", counted.layers), tooltip);
-            let tooltip =
-                "Pixels times flames that were still open at the last peeled layer; 0 where nothing is missing.";
+            let tooltip = "Pixels times flames that were entered but not left at the last peeled layer. Surfaces beyond it are not \
+                counted: compare Layers with the layers that are peeled.";
             fact(ui, "Open", &format!("{:7}", counted.open_intervals), tooltip);
         }
     });
