@@ -9,6 +9,8 @@ struct Compose {
     gains: vec4f,
     // debug view (see below), its layer, unused, unused
     debug: vec4u,
+    // xy: texture coordinates of each blurred copy per pixel; its last texels may reach beyond the picture.
+    uv_per_pixel: array<vec4f, 4>,
 }
 
 @group(1) @binding(0) var<uniform> compose: Compose;
@@ -43,26 +45,26 @@ fn dither(pixel: vec2f) -> f32 {
 }
 
 // The sharpest copy is of full size or stands alone; reading it needs no filter then.
-fn sharpest_at(pixel: vec2f, uv: vec2f) -> vec4f {
+fn sharpest_at(pixel: vec2f) -> vec4f {
     if GLOW_LEVELS == 0u {
         return vec4f(0.0);
     }
     if SHARPEST_IS_FULL {
         return textureLoad(glow_0, vec2i(pixel), 0);
     }
-    return textureSampleLevel(glow_0, linear_sampler, uv, 0.0);
+    return textureSampleLevel(glow_0, linear_sampler, pixel * compose.uv_per_pixel[0].xy, 0.0);
 }
 
-fn glow_at(sharpest: vec3f, uv: vec2f) -> vec3f {
+fn glow_at(sharpest: vec3f, pixel: vec2f) -> vec3f {
     var sum = sharpest * compose.gains.x;
     if GLOW_LEVELS > 1u {
-        sum += textureSampleLevel(glow_1, linear_sampler, uv, 0.0).rgb * compose.gains.y;
+        sum += textureSampleLevel(glow_1, linear_sampler, pixel * compose.uv_per_pixel[1].xy, 0.0).rgb * compose.gains.y;
     }
     if GLOW_LEVELS > 2u {
-        sum += textureSampleLevel(glow_2, linear_sampler, uv, 0.0).rgb * compose.gains.z;
+        sum += textureSampleLevel(glow_2, linear_sampler, pixel * compose.uv_per_pixel[2].xy, 0.0).rgb * compose.gains.z;
     }
     if GLOW_LEVELS > 3u {
-        sum += textureSampleLevel(glow_3, linear_sampler, uv, 0.0).rgb * compose.gains.w;
+        sum += textureSampleLevel(glow_3, linear_sampler, pixel * compose.uv_per_pixel[3].xy, 0.0).rgb * compose.gains.w;
     }
     return sum * view.extra.y;
 }
@@ -105,7 +107,8 @@ fn debug_color(pixel: vec2i) -> vec3f {
     }
 }
 
-fn debug_light(pixel: vec2i, uv: vec2f) -> vec3f {
+fn debug_light(position: vec2f) -> vec3f {
+    let pixel = vec2i(position);
     switch compose.debug.x {
         case DEBUG_FLAMES: {
             return textureLoad(flame_color, pixel, 0).rgb * view.extra.y;
@@ -114,7 +117,7 @@ fn debug_light(pixel: vec2i, uv: vec2f) -> vec3f {
             return textureLoad(opaque_color, pixel, 0).rgb;
         }
         default: {
-            return glow_at(sharpest_at(vec2f(pixel), uv).rgb, uv);
+            return glow_at(sharpest_at(position).rgb, position);
         }
     }
 }
@@ -122,28 +125,25 @@ fn debug_light(pixel: vec2i, uv: vec2f) -> vec3f {
 // One of the intermediate targets. A pass of its own: on software drivers even a branch not taken costs.
 @fragment
 fn fs_debug(@builtin(position) position: vec4f) -> @location(0) vec4f {
-    let uv = position.xy / vec2f(view.size_layers_lights.xy);
     let pixel = vec2i(position.xy);
     if compose.debug.x == DEBUG_LAYER || compose.debug.x == DEBUG_COUNT {
         let color = debug_color(pixel);
         return vec4f(select(color, srgb(color), view.modes.z == ENCODED), 1.0);
     }
-    return vec4f(displayed(debug_light(pixel, uv), position.xy), 1.0);
+    return vec4f(displayed(debug_light(position.xy), position.xy), 1.0);
 }
 
 @fragment
 fn fs_compose(@builtin(position) position: vec4f) -> @location(0) vec4f {
-    let uv = position.xy / vec2f(view.size_layers_lights.xy);
     // The sharpest copy also says how much of the scene the soot hides: its edge must be as soft as the flame's.
-    let sharpest = sharpest_at(position.xy, uv);
+    let sharpest = sharpest_at(position.xy);
     let scene = textureLoad(opaque_color, vec2i(position.xy), 0).rgb;
-    return vec4f(displayed(scene * (1.0 - sharpest.a) + glow_at(sharpest.rgb, uv), position.xy), 1.0);
+    return vec4f(displayed(scene * (1.0 - sharpest.a) + glow_at(sharpest.rgb, position.xy), position.xy), 1.0);
 }
 
 // Over a picture that is there already: premultiplied, so that the glow adds and the soot hides.
 @fragment
 fn fs_over(@builtin(position) position: vec4f) -> @location(0) vec4f {
-    let uv = position.xy / vec2f(view.size_layers_lights.xy);
-    let sharpest = sharpest_at(position.xy, uv);
-    return vec4f(displayed(glow_at(sharpest.rgb, uv), position.xy), sharpest.a);
+    let sharpest = sharpest_at(position.xy);
+    return vec4f(displayed(glow_at(sharpest.rgb, position.xy), position.xy), sharpest.a);
 }

@@ -4,6 +4,9 @@ use glam::Vec3;
 use lucerna_fluid::{Fluid, FluidError, PressureSolver, Side, Sides};
 use lucerna_scene::{Air, AirSides, Pressure};
 
+/// Most acceleration of a row that the fluid takes, m/s^2.
+const MAX_ACCELERATION_M_S2: f32 = 1e6;
+
 /// Makes the air, at rest or moving with the wind.
 pub(crate) fn build(air: &Air) -> Result<Fluid, FluidError> {
     let sides = match air.sides {
@@ -32,6 +35,12 @@ pub(crate) fn same_grid(a: &Air, b: &Air) -> bool {
     (a.origin_m, a.size_m, a.cells, a.pressure, a.sides) == (b.origin_m, b.size_m, b.cells, b.pressure, b.sides)
 }
 
+/// Checks what [`adjust`] takes over, and changes nothing.
+pub(crate) fn check(air: &Air) -> Result<(), FluidError> {
+    // A fluid of eight cells has the same limits, and costs nothing.
+    build(&Air { origin_m: [0.0; 3], size_m: [1.0; 3], cells: [2; 3], ..air.clone() }).map(drop)
+}
+
 /// Takes over what can change while the air moves.
 pub(crate) fn adjust(fluid: &mut Fluid, air: &Air) -> Result<(), FluidError> {
     fluid.set_wind(air.wind_m_s.into())?;
@@ -46,7 +55,8 @@ pub(crate) fn add_row_buoyancy(fluid: &mut Fluid, air: &Air) -> Result<(), Fluid
     if air.row_buoyancy_m_s2 > 0.0 {
         let rows = fluid.cells()[1];
         for j in 1..rows {
-            fluid.add_row_acceleration(j, air.row_buoyancy_m_s2 * rows as f32 / j as f32)?;
+            let acceleration = air.row_buoyancy_m_s2 * rows as f32 / j as f32;
+            fluid.add_row_acceleration(j, acceleration.min(MAX_ACCELERATION_M_S2))?;
         }
     }
     Ok(())

@@ -66,14 +66,15 @@ impl World {
             return Err(WorldError::Time { field: "dt_s", value: dt_s, allowed: "0 to 1e6" });
         }
         let step_s = air.time_step_s;
-        self.owed_s += f64::from(dt_s);
+        let owed_s = self.owed_s + f64::from(dt_s);
         // A hair of tolerance: 1/60 s asked for in `f32` is one step of 1/60 s.
-        let due = (self.owed_s / f64::from(step_s) + 1e-4).floor();
-        self.owed_s = (self.owed_s - due * f64::from(step_s)).max(0.0);
+        let due = (owed_s / f64::from(step_s) + 1e-4).floor();
+        // A step that fails leaves its time owed, and that of the steps after it.
+        self.owed_s = owed_s;
         let steps = due.min(f64::from(MAX_STEPS)) as u32;
         let dropped = (due - f64::from(steps)).min(f64::from(u32::MAX)) as u32;
         let mut summary = StepSummary { steps, dropped, ..StepSummary::default() };
-        for _ in 0..steps {
+        for done in 1..=steps {
             let start = Instant::now();
             self.flames.drive(&mut self.fluid)?;
             air::add_row_buoyancy(&mut self.fluid, air)?;
@@ -83,7 +84,9 @@ impl World {
             let start = Instant::now();
             self.flames.step(&self.fluid, step_s);
             summary.times.skeletons_ms += ms_since(start);
+            self.owed_s = (owed_s - f64::from(done) * f64::from(step_s)).max(0.0);
         }
+        self.owed_s = (owed_s - due * f64::from(step_s)).max(0.0);
         let start = Instant::now();
         if steps > 0 {
             self.build();
@@ -123,14 +126,15 @@ impl World {
     pub fn set_scene(&mut self, scene: LoadedScene) -> Result<(), WorldError> {
         let (old, new) = (&self.scene.scene, &scene.scene);
         let settings = settings(&scene)?;
-        let fresh = air::build(&new.air)?;
         let same_fires = self.scene.wicks == scene.wicks && old.seed == new.seed;
         if same_fires && air::same_grid(&old.air, &new.air) {
+            air::check(&new.air)?;
             self.flames.set(settings)?;
             air::adjust(&mut self.fluid, &new.air)?;
         } else {
+            let fluid = air::build(&new.air)?;
             self.flames = Flames::new(settings, new.seed)?;
-            self.fluid = fresh;
+            self.fluid = fluid;
             self.owed_s = 0.0;
         }
         if self.scene.meshes != scene.meshes {

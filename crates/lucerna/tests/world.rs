@@ -84,6 +84,24 @@ fn no_time_step_makes_nonsense() {
 }
 
 #[test]
+fn the_strongest_scenes_move_the_air() {
+    let mut loaded = small("torch");
+    let (air, fire) = (&mut loaded.scene.air, &mut loaded.scene.fires[0]);
+    air.cells = [4, 128, 4];
+    air.row_buoyancy_m_s2 = 10_000.0;
+    air.wind_m_s = [100.0, -100.0, 100.0];
+    fire.fuel.heat_k_s = 1e6;
+    fire.fuel.strength_m_s2 = 1e5;
+    fire.fuel.distribution = lucerna::flame::FuelDistribution::Table(vec![1000.0; 2]);
+    fire.fuel.swing = lucerna::flame::Swing::Random { amplitude: 100.0 };
+    lucerna::scene::validate(&loaded.scene).expect("allowed");
+    let mut world = World::new(loaded).expect("torch");
+    for _ in 0..4 {
+        world.step(1.0 / 60.0).expect("step");
+    }
+}
+
+#[test]
 fn runs_repeat_bit_for_bit() {
     let run = |threads: usize, seed: u64| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("pool");
@@ -134,6 +152,10 @@ fn a_changed_scene_goes_on_burning() {
     bad.scene.fires[0].skeletons.width_m = -1.0;
     assert!(world.set_scene(bad).is_err());
     assert_eq!(world.state_hash(), hash, "a refused scene changes nothing");
+    let mut bad = changed.clone();
+    (bad.scene.fires[0].fuel.strength_m_s2, bad.scene.air.wind_m_s[0]) = (1.0, 1e3);
+    assert!(matches!(world.set_scene(bad), Err(WorldError::Air(_))));
+    assert_eq!(world.state_hash(), hash, "refused air changes nothing");
 
     changed.meshes.pop();
     changed.scene.air.cells = [10; 3];

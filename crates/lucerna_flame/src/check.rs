@@ -54,6 +54,10 @@ impl SurfaceGrid {
 fn check_shade(shade: &FlameShade) -> Result<(), FlameError> {
     shade.tint.iter().try_for_each(|&t| in_range("shade.tint", t, 0.0, 1e4, "0 to 10000"))?;
     in_range("shade.temperature_k", shade.temperature_k, 500.0, 20_000.0, "500 to 20000")?;
+    if shade.soot_full < shade.soot_begin {
+        let (value, allowed) = (f64::from(shade.soot_full), "at least soot_begin");
+        return Err(FlameError::OutOfRange { field: "shade.soot_full", value, allowed });
+    }
     in_range("shade.strength", shade.strength, 0.0, 1.0, "0 to 1")?;
     for (field, value) in [
         ("shade.soot_per_m", shade.soot_per_m),

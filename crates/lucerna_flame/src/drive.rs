@@ -16,24 +16,31 @@ impl Air for Fluid {
     }
 }
 
+/// How far a source reaches at most, as a share of the box's smallest side.
+const MAX_REACH: f32 = 0.25;
+
 impl Source {
     /// Adds the source to the coming step of the air.
     ///
     /// The paper pushes the one voxel that holds the root. Here the push fades linearly to zero at
     /// `reach_m` along each axis, so that a flame stays put when its root is not in the middle of
-    /// a voxel or sways from one to the next, and finer grids do not weaken it.
+    /// a voxel or sways from one to the next, and finer grids do not weaken it. No source reaches
+    /// farther than a quarter of the box's smallest side.
     ///
     /// # Errors
     /// When a number is outside what the air accepts.
     pub fn add_to(&self, fluid: &mut Fluid) -> Result<(), FluidError> {
+        // A wide source must not cost a pass over all of a large box.
+        let most_m = MAX_REACH * fluid.size_m().min_element();
         if self.heat_k_s > 0.0 {
-            fluid.add_heat(self.position, self.radius_m, self.heat_k_s)?;
+            fluid.add_heat(self.position, self.radius_m.min(most_m), self.heat_k_s)?;
         }
         if self.acceleration_m_s2 <= 0.0 {
             return Ok(());
         }
         let cell = fluid.cell_size_m();
-        let reach = cell.max(Vec3::splat(self.reach_m));
+        let reach_m = self.reach_m.min(most_m);
+        let reach = cell.max(Vec3::splat(reach_m));
         let low = ((self.position - reach - fluid.origin()) / cell).max(Vec3::ZERO);
         let high = (self.position + reach - fluid.origin()) / cell;
         let [nx, ny, nz] = fluid.cells();
@@ -53,7 +60,7 @@ impl Source {
             return Ok(());
         }
         // The same momentum on any grid: that of a cube of air with the edge `reach_m`.
-        let each = self.acceleration_m_s2 * self.reach_m.powi(3) / (cell.x * cell.y * cell.z) / total;
+        let each = self.acceleration_m_s2 * reach_m.powi(3) / (cell.x * cell.y * cell.z) / total;
         for (i, j, k) in cells() {
             let (centre, weight) = near(i, j, k, fluid);
             if weight > 0.0 {

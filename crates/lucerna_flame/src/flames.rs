@@ -11,7 +11,9 @@ use rayon::prelude::*;
 use std::sync::Arc;
 
 /// The most flames of one world.
-pub const MAX_FLAMES: usize = 4096;
+///
+/// With twelve free flames each, a renderer can still number all surfaces with 15 bits.
+pub const MAX_FLAMES: usize = 2520;
 
 /// Flames that burn in the same air.
 ///
@@ -60,13 +62,20 @@ impl Flames {
     /// # Errors
     /// When there are too many flames, or a setting is out of its range.
     pub fn new(settings: Vec<FlameSettings>, seed: u64) -> Result<Self, FlameError> {
+        Self::light(settings, seed, &[])
+    }
+
+    /// Lights flames; those whose wick is that of the same flame of `old` take over its centreline.
+    fn light(settings: Vec<FlameSettings>, seed: u64, old: &[Flame]) -> Result<Self, FlameError> {
         let mut flames = Self { seed, ..Self::default() };
         if settings.len() > MAX_FLAMES {
-            return Err(FlameError::Count { field: "fires.wicks", count: settings.len(), allowed: "up to 4096" });
+            return Err(FlameError::Count { field: "fires.wicks", count: settings.len(), allowed: "up to 2520" });
         }
         for (i, settings) in settings.into_iter().enumerate() {
             let seed = hash(seed ^ hash(i as u64));
-            let flame = Flame::new(settings, seed, |key| flames.plan(key))?;
+            let known = old.get(i).filter(|old| old.settings.wick == settings.wick);
+            let known = known.map(|old| Arc::clone(&old.centreline));
+            let flame = Flame::new(settings, seed, known, |key| flames.plan(key))?;
             flames.group(&flame);
             flames.flames.push(flame);
         }
@@ -78,7 +87,7 @@ impl Flames {
     /// # Errors
     /// As [`new`](Self::new); then nothing has changed.
     pub fn set(&mut self, settings: Vec<FlameSettings>) -> Result<(), FlameError> {
-        let mut next = Self::new(settings, self.seed)?;
+        let mut next = Self::light(settings, self.seed, &self.flames)?;
         for (flame, old) in next.flames.iter_mut().zip(&self.flames) {
             flame.inherit(old);
         }
@@ -194,5 +203,35 @@ impl Flames {
         fnv.word(self.steps);
         self.flames.iter().for_each(|f| f.hash(&mut fnv));
         fnv.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::WickShape;
+
+    fn flame(x: f32) -> FlameSettings {
+        FlameSettings::new(WickShape::Vertices(vec![[0.0; 3], [x, 0.0, 0.0]]))
+    }
+
+    #[test]
+    fn a_wick_that_stays_is_not_traced_again() {
+        let mut flames = Flames::new(vec![flame(0.1), flame(0.2)], 1).expect("flames");
+        let before: Vec<_> = flames.flames.iter().map(|f| Arc::clone(&f.centreline)).collect();
+        let mut wider = flame(0.1);
+        wider.skeletons.width_m *= 2.0;
+        flames.set(vec![wider, flame(0.3)]).expect("set");
+        let same = |i: usize| Arc::ptr_eq(&before[i], &flames.flames[i].centreline);
+        assert!(same(0) && !same(1));
+    }
+
+    #[test]
+    fn surfaces_can_be_numbered() {
+        let most = (1 << 15) - 2;
+        assert!(MAX_FLAMES * (1 + crate::flame::MAX_FREE) <= most);
+        let settings = vec![flame(0.1); MAX_FLAMES + 1];
+        let error = Flames::new(settings, 1).expect_err("too many").to_string();
+        assert!(error.contains(&MAX_FLAMES.to_string()), "{error}");
     }
 }

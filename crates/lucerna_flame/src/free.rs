@@ -109,6 +109,7 @@ impl Free {
         fnv.word(u64::from(self.burning));
         if self.burning {
             fnv.float(self.age_s);
+            fnv.float(self.life_s);
             fnv.point(self.side);
             self.points.iter().for_each(|p| fnv.point(*p));
         }

@@ -1,6 +1,7 @@
 //! Fuel: how strongly each lead root drives the air (paper 003, section 4.2, equation 2).
 
 use crate::error::in_range;
+use crate::flame::MAX_HEAT_K_S;
 use crate::random::{hash, octaves, unit};
 use crate::{FlameError, Fuel, FuelDistribution, FuelForm, Swing};
 
@@ -64,7 +65,7 @@ impl Fuel {
 
     pub(crate) fn check(&self) -> Result<(), FlameError> {
         in_range("fuel.strength_m_s2", self.strength_m_s2, 0.0, 1e6, "0 to 1e6")?;
-        in_range("fuel.heat_k_s", self.heat_k_s, 0.0, 1e7, "0 to 1e7")?;
+        in_range("fuel.heat_k_s", self.heat_k_s, 0.0, MAX_HEAT_K_S, "0 to 1e6")?;
         let (amplitude, frequency) = match self.swing {
             Swing::Still => (0.0, 0.0),
             Swing::Periodic { amplitude, frequency_hz } | Swing::Noise { amplitude, frequency_hz } => {

@@ -8,7 +8,7 @@ use crate::surface::{Surface, SurfacePlan};
 use glam::Vec3;
 use lucerna_frame::{FlameShade, Light};
 
-/// Lights of a group of flames, from root to tip: enough that shadows follow its parts, not only its middle.
+/// Lights of a group of flames, from root to tip: enough that each part lights what is near it, not only the middle.
 pub(crate) const LIGHTS: usize = 3;
 
 /// The luminous volume of one part of a group, gathered surface by surface.

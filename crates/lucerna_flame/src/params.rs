@@ -87,7 +87,8 @@ pub struct Fuel {
     pub distribution: FuelDistribution,
     /// Which form of F.
     pub form: FuelForm,
-    /// C: vertical acceleration that a root gives to the air of its voxel, m/s^2. Raising it makes flames higher.
+    /// C: vertical acceleration that a root gives to the air around it, m/s^2, fading linearly to zero at twice
+    /// [`Skeletons::width_m`] along each axis. Raising it makes flames higher.
     pub strength_m_s2: f32,
     /// `F_ext`.
     pub swing: Swing,
@@ -173,7 +174,7 @@ impl Skeletons {
 pub struct SurfaceGrid {
     /// Samples around the flame, 4 to 256, even.
     pub around: u32,
-    /// Samples from root to tip, 2 to 256.
+    /// Samples from root to tip, 3 to 256.
     pub up: u32,
     /// How far the first interior knot upwards is raised, 0 to 1 of a knot interval: softens the tip (authors: 0.9).
     pub tip_softness: f32,

@@ -60,15 +60,19 @@ pub(crate) fn octaves(seed: u64, t: f64) -> f32 {
     sum
 }
 
+/// Cells after which [`noise_3d`] repeats along each axis; a power of two.
+pub(crate) const PERIOD: i64 = 1024;
+
 /// A smooth random vector field, each component -1 to 1.
 pub(crate) fn noise_3d(seed: u32, p: Vec3) -> Vec3 {
     let cell = p.floor();
     let f = p - cell;
     let weight = Vec3::new(smooth(f.x), smooth(f.y), smooth(f.z));
-    // Only the low bits count: the field repeats after 2^20 cells.
-    let [x, y, z] = [cell.x, cell.y, cell.z].map(|c| (c as i64 & 0xf_ffff) as u64);
+    let [x, y, z] = [cell.x, cell.y, cell.z].map(|c| (c as i64 & (PERIOD - 1)) as u64);
     let corner = |dx: u64, dy: u64, dz: u64| {
-        let bits = hash(u64::from(seed) << 32 ^ (x + dx) ^ ((y + dy) << 21) ^ ((z + dz) << 42));
+        // The upper corners of the last cell are the lower ones of the first.
+        let [x, y, z] = [x + dx, y + dy, z + dz].map(|c| c & (PERIOD as u64 - 1));
+        let bits = hash(u64::from(seed) << 32 ^ x ^ (y << 21) ^ (z << 42));
         let part = |shift: u32| ((bits >> shift) & 0x1f_ffff) as f32 / 1_048_576.0 - 1.0;
         Vec3::new(part(0), part(21), part(42))
     };
@@ -118,6 +122,24 @@ mod tests {
         let p = Vec3::new(-7.3, 2.1, 900.4);
         assert!(noise_3d(1, p).abs().max_element() <= 1.0);
         assert!((noise_3d(1, p) - noise_3d(1, p + Vec3::splat(1e-3))).length() < 0.02);
+    }
+
+    #[test]
+    fn the_field_has_no_seams_and_repeats() {
+        let period = PERIOD as f32;
+        for axis in 0..3 {
+            for plane in [0.0, -3.0, period - 1.0, period, 2.0 * period, -period] {
+                let at = |x: f32| {
+                    let mut p = Vec3::new(5.3, -7.6, 2.45);
+                    p[axis] = x;
+                    p
+                };
+                let (below, above) = (noise_3d(1, at(plane - 1e-3)), noise_3d(1, at(plane + 1e-3)));
+                assert!(below.distance(above) < 1e-3, "axis {axis} at {plane}: {below} {above}");
+                let (here, there) = (noise_3d(1, at(plane + 0.25)), noise_3d(1, at(plane + 0.25 + period)));
+                assert_eq!(here, there, "axis {axis} at {plane}");
+            }
+        }
     }
 
     #[test]

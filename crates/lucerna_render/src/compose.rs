@@ -6,13 +6,20 @@ use crate::targets::Targets;
 use lucerna_frame::{DebugView, Look};
 
 /// What `compose.wgsl` is told.
-pub(crate) fn compose_data(look: &Look) -> ComposeData {
+pub(crate) fn compose_data(look: &Look, size: [u32; 2]) -> ComposeData {
     let mut gains = [0.0; MAX_GLOW];
     for (gain, level) in gains.iter_mut().zip(&look.glow) {
         *gain = level.gain;
     }
     if look.glow.is_empty() {
         gains[0] = 1.0;
+    }
+    // A copy of n texels shows n times its divisor pixels, which may be more than the picture has.
+    let mut uv_per_pixel = [[0.0; 4]; MAX_GLOW];
+    for (index, uv) in uv_per_pixel.iter_mut().enumerate() {
+        let divisor = look.glow.get(index).map_or(1, |level| level.divisor);
+        let [x, y] = size.map(|side| 1.0 / (side.div_ceil(divisor) * divisor) as f32);
+        *uv = [x, y, 0.0, 0.0];
     }
     let debug = match look.debug {
         DebugView::Final => [0, 0],
@@ -27,7 +34,7 @@ pub(crate) fn compose_data(look: &Look) -> ComposeData {
         }
         DebugView::Opaque => [5, 0],
     };
-    ComposeData { gains, debug: [debug[0], debug[1], 0, 0] }
+    ComposeData { gains, debug: [debug[0], debug[1], 0, 0], uv_per_pixel }
 }
 
 impl FireRenderer {

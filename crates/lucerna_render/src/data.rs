@@ -157,4 +157,5 @@ pub(crate) struct Kernel {
 pub(crate) struct ComposeData {
     pub(crate) gains: [f32; MAX_GLOW],
     pub(crate) debug: [u32; 4],
+    pub(crate) uv_per_pixel: [[f32; 4]; MAX_GLOW],
 }

@@ -254,7 +254,7 @@ impl FireRenderer {
         for (radius, level) in self.glow_radii.iter_mut().zip(&look.glow) {
             *radius = weights(level.blur, size_px[1], level.divisor).1.unsigned_abs();
         }
-        queue.write_buffer(&self.compose, 0, bytemuck::bytes_of(&compose_data(look)));
+        queue.write_buffer(&self.compose, 0, bytemuck::bytes_of(&compose_data(look, size_px)));
         Ok(())
     }
 

@@ -21,10 +21,9 @@ const HEAT_K_S: f32 = 8000.0;
 ///   pressure, no heat but their buoyancy by rows and a strength raised to make up for it, 2 slices of a wick, 8
 ///   particles a skeleton, no taper, turbulence or expansion (wider roots instead), their forms of the fuel
 ///   functions, a texture on the surfaces (`shell`, not softened), 4 layers (2 where there is a single flame), two
-///   glow levels of their seven taps, both at gain 1 as theirs (so the picture is brighter than with gains that add
-///   to 1), one sample a pixel. Tips break away no more often than theirs.
+///   glow levels of their seven taps with equal gains, one sample a pixel. Tips break away no more often than theirs.
 /// * `draft`: cheap, for machines without a fast GPU: at most 20 cells along an axis, small surfaces, 4 layers,
-///   4 steps inside each interval, one sample a pixel.
+///   at most 4 steps inside each interval, one sample a pixel.
 /// * `fine`: for pictures: twice the cells along each axis, up to 96 (a length keeps its physical size), finer
 ///   surfaces, 16 layers, 16 steps inside each interval.
 #[must_use]
@@ -114,7 +113,7 @@ fn draft(scene: &mut Scene) {
         fire.surface.up = fire.surface.up.min(12);
     }
     scene.look.layers = scene.look.layers.min(4);
-    scene.look.volume_steps = 4;
+    scene.look.volume_steps = scene.look.volume_steps.min(4);
     scene.look.samples = 1;
     keep_debug_view(&mut scene.look);
 }

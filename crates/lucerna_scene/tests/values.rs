@@ -39,7 +39,7 @@ fn air() {
     refused(|s| s.air.ambient_k = 0.0, "air.ambient_k is 0: must be 1 to 5000");
     refused(|s| s.air.cooling_per_s = -0.5, "air.cooling_per_s is -0.5: must be 0 to 1000");
     refused(|s| s.air.row_buoyancy_m_s2 = f32::NAN, "air.row_buoyancy_m_s2 is NaN: must be 0 to 10000");
-    refused(|s| s.air.wind_m_s[1] = 1.0e9, "air.wind_m_s[1] is 1000000000: must be -200 to 200");
+    refused(|s| s.air.wind_m_s[1] = 1.0e9, "air.wind_m_s[1] is 1000000000: must be -100 to 100");
 }
 
 #[test]
@@ -59,10 +59,16 @@ fn camera_and_look() {
         |s| s.look.glow[0] = GlowLevel { divisor: 1, blur: Blur::Height(0.0), gain: 1.0 },
         "look.glow[0].blur height is 0: must be above 0 and at most 1",
     );
+    refused(
+        |s| s.look.glow[0] = GlowLevel { divisor: 1, blur: Blur::Pixels(22.0), gain: 1.0 },
+        "look.glow[0].blur pixels is 22: must be above 0 and at most 21",
+    );
     refused(|s| s.look.glow[0].gain = -1.0, "look.glow[0].gain is -1: must be 0 to 100");
     refused(|s| s.look.exposure_stops = f32::NAN, "look.exposure_stops is NaN: must be -30 to 30");
     refused(|s| s.look.white_k = 0.0, "look.white_k is 0: must be 1000 to 20000");
-    refused(|s| s.look.ambient[2] = -0.1, "look.ambient[2] is -0.1: must be 0 to 1000000");
+    refused(|s| s.look.ambient[2] = -0.1, "look.ambient[2] is -0.1: must be 0 to 60000");
+    refused(|s| s.look.background[0] = 1.0e5, "look.background[0] is 100000: must be 0 to 60000");
+    refused(|s| s.look.light_gain = 1.0e5, "look.light_gain is 100000: must be 0 to 60000");
     refused(|s| s.look.samples = 2, "look.samples is 2: must be 1 or 4");
     refused(|s| s.look.volume_steps = 1, "look.volume_steps is 1: must be 2 to 32");
     refused(|s| s.look.debug = DebugView::Layer(8), "look.debug layer is 8: must be below look.layers, 8");
@@ -123,6 +129,7 @@ fn fires() {
     );
     refused(|s| s.fires[0].skeletons.turbulence_m = 0.0, "fires[0].skeletons.turbulence_m is 0: must be 0.0001 to 100");
     refused(|s| s.fires[0].fuel.strength_m_s2 = -1.0, "fires[0].fuel.strength_m_s2 is -1: must be 0 to 100000");
+    refused(|s| s.fires[0].fuel.heat_k_s = 2.0e6, "fires[0].fuel.heat_k_s is 2000000: must be 0 to 1000000");
     refused(
         |s| s.fires[0].fuel.distribution = FuelDistribution::Table(vec![1.0]),
         "the number of samples of fires[0].fuel.distribution table is 1: must be 2 to 4096",

@@ -214,7 +214,7 @@ impl<'a> Run<'a> {
 }
 
 /// Number of calls of the world that a time is cut into, given its fixed step.
-fn slices(time_s: f64, step_s: f64) -> u32 {
+pub(crate) fn slices(time_s: f64, step_s: f64) -> u32 {
     // A hair more than a slice is still one: times are not exact.
     (time_s / (STEPS_AT_ONCE * step_s) - 1e-6).ceil().max(0.0) as u32
 }

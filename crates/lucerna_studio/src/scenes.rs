@@ -3,7 +3,7 @@
 use crate::cli::SceneArgs;
 use anyhow::Result;
 use lucerna::frame::Shading;
-use lucerna::scene::{LoadedScene, Scene};
+use lucerna::scene::{Fire, LoadedScene, Scene, WickSource};
 use std::path::{Path, PathBuf};
 
 /// Opens a scene and changes it: first `adjust`, then the preset, then what the command line names.
@@ -35,10 +35,15 @@ pub fn is_builtin(name: &str) -> bool {
     lucerna::scene::builtin_names().contains(&name)
 }
 
-/// The loaded scene with other parameters, checked. Files are read again only where wicks or meshes changed.
+/// The loaded scene with other parameters, checked. Files are read again only where wicks or meshes
+/// changed, or the box of air that the wicks of files must lie in.
 pub fn with_parameters(loaded: &LoadedScene, scene: Scene, base_dir: &Path) -> Result<LoadedScene> {
     let wicks = |scene: &Scene| scene.fires.iter().map(|fire| fire.wicks.clone()).collect::<Vec<_>>();
-    if scene.meshes != loaded.scene.meshes || wicks(&scene) != wicks(&loaded.scene) {
+    let (air, old) = (&scene.air, &loaded.scene.air);
+    let moved = (air.origin_m, air.size_m) != (old.origin_m, old.size_m);
+    let from_file = |fire: &Fire| fire.wicks.iter().any(|wick| matches!(wick, WickSource::Mesh { .. }));
+    let unchecked = moved && scene.fires.iter().any(from_file);
+    if unchecked || scene.meshes != loaded.scene.meshes || wicks(&scene) != wicks(&loaded.scene) {
         return Ok(LoadedScene::from_scene(scene, base_dir)?);
     }
     lucerna::scene::validate(&scene)?;

@@ -6,8 +6,8 @@ use lucerna::frame::{Camera, Frame, Look, Shading, ToneMap};
 use lucerna::render::FireRenderer;
 use lucerna_tests::{device, read, read_rgba16f, target};
 
-/// Sides that the reduced copies of the flames divide.
-pub(crate) const SIZE: [u32; 2] = [160, 128];
+/// Sides that no reduced copy of the flames divides.
+pub(crate) const SIZE: [u32; 2] = [150, 117];
 pub(crate) const SHADINGS: [Shading; 2] = [Shading::Volume, Shading::Shell];
 
 /// A renderer with its device.

@@ -6,18 +6,20 @@ mod shed;
 use crate::air::Air;
 use crate::chains::Chains;
 use crate::free::{self, Free};
-use crate::random::{Pcg, hash, noise_3d};
+use crate::random::{PERIOD, Pcg, hash, noise_3d};
 use crate::roots::Roots;
 use crate::surface::{PlanKey, Surface, SurfacePlan};
-use crate::{FlameError, FlameSettings};
+use crate::{Centreline, FlameError, FlameSettings};
 use glam::Vec3;
 use lucerna_frame::blackbody_rgb;
 use std::sync::Arc;
 
 /// How much of its life a flame spans when it is lit; it grows from there.
 const KINDLING: f32 = 0.05;
+/// Most heating of a root that the air takes, K/s.
+pub(crate) const MAX_HEAT_K_S: f32 = 1e6;
 /// Most free flames of one flame.
-const MAX_FREE: usize = 12;
+pub(crate) const MAX_FREE: usize = 12;
 
 /// What a root does to the air during one step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -49,6 +51,8 @@ struct Tongue {
 #[derive(Debug)]
 pub(crate) struct Flame {
     pub(crate) settings: FlameSettings,
+    /// Where the wick of `settings` runs.
+    pub(crate) centreline: Arc<Centreline>,
     pub(crate) roots: Roots,
     seed: u64,
     rng: Pcg,
@@ -70,14 +74,20 @@ pub(crate) struct Flame {
 }
 
 impl Flame {
+    /// `centreline` is that of the wick, where it is known.
     pub(crate) fn new(
         settings: FlameSettings,
         seed: u64,
+        centreline: Option<Arc<Centreline>>,
         mut plan: impl FnMut(PlanKey) -> Result<Arc<SurfacePlan>, FlameError>,
     ) -> Result<Self, FlameError> {
         settings.check()?;
         let s = &settings.skeletons;
-        let roots = Roots::place(&settings.wick.centreline()?, s.slices, s.width_m);
+        let centreline = match centreline {
+            Some(known) => known,
+            None => Arc::new(settings.wick.centreline()?),
+        };
+        let roots = Roots::place(&centreline, s.slices, s.width_m);
         let (leads, rows) = (roots.leads.len(), roots.peripherals.len());
         let points = s.particles as usize + 1;
         let grid = settings.surface;
@@ -113,6 +123,7 @@ impl Flame {
             free: (0..pool.min(MAX_FREE)).map(|_| Free::new(points)).collect(),
             body: blackbody_rgb(settings.shade.temperature_k),
             settings,
+            centreline,
             roots,
         })
     }
@@ -155,7 +166,7 @@ impl Flame {
                 acceleration_m_s2: 0.5 * acceleration,
                 reach_m: 2.0 * s.width_m,
                 radius_m: 2.0 * s.width_m,
-                heat_k_s: fuel.heat_k_s * (share + swing).max(0.0),
+                heat_k_s: (fuel.heat_k_s * (share + swing).max(0.0)).min(MAX_HEAT_K_S),
             });
             for (r, _) in rows.iter().enumerate().filter(|(_, row)| row.lead == i) {
                 out.push(Source {
@@ -199,7 +210,9 @@ impl Flame {
         let points = self.row.len();
         let lengths: f32 = (0..leads).map(|i| self.lengths[(i + 1) * points - 1] / self.tongues[i].reach).sum();
         let rise = f64::from(lengths / leads as f32 / life);
-        self.drift_m = (self.drift_m + 0.7 * rise * f64::from(dt_s)) % (1024.0 * f64::from(size));
+        // Both octaves of the eddies repeat after so far.
+        let repeat = PERIOD as f64 * f64::from(size);
+        self.drift_m = (self.drift_m + 0.7 * rise * f64::from(dt_s)) % repeat;
         self.regrow(dt_s);
         self.shed(dt_s);
     }

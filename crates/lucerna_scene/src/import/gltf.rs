@@ -1,7 +1,7 @@
 //! Meshes and wicks from glTF and GLB files; images are not read.
 
 use super::gltf_data::Buffers;
-use super::{RawMesh, WickPart, check_size};
+use super::{MAX_LIGHT, RawMesh, WickPart, check_size};
 use crate::SceneError;
 use glam::{Mat3, Mat4, Vec3};
 use gltf::mesh::Mode;
@@ -118,7 +118,7 @@ fn append(raw: &mut RawMesh, primitive: &Primitive<'_>, world: Mat4, buffers: &B
     let material = primitive.material();
     let [r, g, b, _] = material.pbr_metallic_roughness().base_color_factor();
     let strength = material.emissive_strength().unwrap_or(1.0);
-    let emission = material.emissive_factor().map(|channel| (channel * strength).clamp(0.0, 1.0e6));
+    let emission = material.emissive_factor().map(|channel| (channel * strength).clamp(0.0, MAX_LIGHT));
     let linear = Mat3::from_mat4(world);
     let normal_from_local = linear.inverse().transpose();
     let first = raw.vertices.len() as u32;

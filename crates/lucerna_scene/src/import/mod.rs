@@ -13,6 +13,9 @@ use lucerna_frame::{MeshVertex, OpaqueMesh};
 use std::borrow::Cow;
 use std::path::Path;
 
+/// Most light of a colour: what is drawn is gathered in half floats, which end at 65504.
+pub(crate) const MAX_LIGHT: f32 = 6.0e4;
+
 /// Most vertices of one file.
 const MAX_VERTICES: usize = 4_000_000;
 

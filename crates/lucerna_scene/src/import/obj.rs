@@ -1,6 +1,6 @@
 //! Opaque meshes from OBJ files with their materials.
 
-use super::{RawMesh, check_size, mtl, obj_text};
+use super::{MAX_LIGHT, RawMesh, check_size, mtl, obj_text};
 use crate::SceneError;
 use lucerna_frame::MeshVertex;
 use std::cell::RefCell;
@@ -63,7 +63,7 @@ fn append(raw: &mut RawMesh, mesh: &Mesh, material: Option<&Material>) {
             position,
             normal: normals.get(index).copied().unwrap_or_default(),
             color: std::array::from_fn(|c| (diffuse[c] * tint[c]).clamp(0.0, 1.0)),
-            emission: std::array::from_fn(|c| (emissive[c] * tint[c]).max(0.0)),
+            emission: std::array::from_fn(|c| (emissive[c] * tint[c]).clamp(0.0, MAX_LIGHT)),
             translucency,
         });
     }

@@ -38,7 +38,7 @@ pub(super) fn air(check: &Check<'_>, air: &Air) -> Result<(), SceneError> {
     check.within("air.ambient_k", air.ambient_k, 1.0..=5000.0)?;
     check.within("air.cooling_per_s", air.cooling_per_s, 0.0..=1000.0)?;
     check.within("air.row_buoyancy_m_s2", air.row_buoyancy_m_s2, 0.0..=10_000.0)?;
-    check.each("air.wind_m_s", &air.wind_m_s, &(-200.0..=200.0))
+    check.each("air.wind_m_s", &air.wind_m_s, &(-100.0..=100.0))
 }
 
 /// Whether a point of a wick lies in the air's box.

@@ -57,7 +57,7 @@ fn fuel(check: &Check<'_>, field: &str, fuel: &Fuel) -> Result<(), SceneError> {
         check.each(&table, samples, &(0.0..=1000.0))?;
     }
     check.within(&format!("{field}.strength_m_s2"), fuel.strength_m_s2, 0.0..=100_000.0)?;
-    check.within(&format!("{field}.heat_k_s"), fuel.heat_k_s, 0.0..=10_000_000.0)?;
+    check.within(&format!("{field}.heat_k_s"), fuel.heat_k_s, 0.0..=1_000_000.0)?;
     let (amplitude, frequency_hz) = match fuel.swing {
         Swing::Still => return Ok(()),
         Swing::Random { amplitude } => (amplitude, None),

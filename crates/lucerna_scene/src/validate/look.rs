@@ -2,10 +2,14 @@
 
 use super::{Check, FAR_M};
 use crate::SceneError;
+use crate::import::MAX_LIGHT;
 use lucerna_frame::{Blur, Camera, DebugView, GlowLevel, Look, Shading, Transparency};
 
 /// Most glow levels.
 const MAX_GLOW: usize = 4;
+
+/// Widest blur in pixels of the blurred image: the kernel reaches three times as far.
+const MAX_BLUR_PIXELS: f32 = 21.0;
 
 pub(super) fn camera(check: &Check<'_>, camera: &Camera) -> Result<(), SceneError> {
     check.each("camera.eye", &camera.eye, &(-FAR_M..=FAR_M))?;
@@ -36,9 +40,9 @@ pub(super) fn look(check: &Check<'_>, look: &Look) -> Result<(), SceneError> {
     }
     check.within("look.exposure_stops", look.exposure_stops, -30.0..=30.0)?;
     check.within("look.white_k", look.white_k, 1000.0..=20_000.0)?;
-    check.within("look.light_gain", look.light_gain, 0.0..=1.0e6)?;
-    check.each("look.ambient", &look.ambient, &(0.0..=1.0e6))?;
-    check.each("look.background", &look.background, &(0.0..=1.0e6))?;
+    check.within("look.light_gain", look.light_gain, 0.0..=MAX_LIGHT)?;
+    check.each("look.ambient", &look.ambient, &(0.0..=MAX_LIGHT))?;
+    check.each("look.background", &look.background, &(0.0..=MAX_LIGHT))?;
     if ![1, 4].contains(&look.samples) {
         return Err(check.fail("look.samples", look.samples, "1 or 4"));
     }
@@ -62,7 +66,7 @@ fn glow(check: &Check<'_>, field: &str, level: &GlowLevel) -> Result<(), SceneEr
     }
     match level.blur {
         Blur::Height(sigma) => check.above_zero(&format!("{field}.blur height"), sigma, 1.0)?,
-        Blur::Pixels(sigma) => check.above_zero(&format!("{field}.blur pixels"), sigma, 1000.0)?,
+        Blur::Pixels(sigma) => check.above_zero(&format!("{field}.blur pixels"), sigma, MAX_BLUR_PIXELS)?,
         Blur::Published => {}
     }
     check.within(&format!("{field}.gain"), level.gain, 0.0..=100.0)

@@ -6,6 +6,7 @@ use super::meters::Meters;
 use super::viewport::Viewport;
 use super::{WindowJob, orbit, panel};
 use crate::cli::WindowArgs;
+use crate::headless::slices;
 use crate::limits::SIDE_PX;
 use crate::progress::say;
 use anyhow::Result;
@@ -20,7 +21,7 @@ const LONGEST_FRAME_S: f64 = 0.1;
 /// What one press of S goes on by, s.
 const SINGLE_STEP_S: f32 = 1.0 / 60.0;
 /// The fire burns this long before it is first shown, s.
-const WARMUP_S: f32 = 1.0;
+const WARMUP_S: f64 = 1.0;
 
 /// What the panel can ask for.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,11 +73,12 @@ impl App {
     ) -> Result<Self> {
         context.egui_ctx.set_theme(egui::Theme::Dark);
         let viewport = Viewport::new(context)?;
-        let mut world = World::new(job.scene.clone())?;
+        let document = Document::new(job.name, &job.scene.scene);
+        let mut world = World::new(job.scene)?;
         warm_up(&mut world)?;
         Ok(Self {
             world,
-            document: Document::new(job.name, job.scene),
+            document,
             viewport,
             meters: Meters::default(),
             view: View { time_scale: 1.0, preset: job.preset, ..View::default() },
@@ -127,13 +129,14 @@ impl App {
                 self.view.notice = Some(line);
             }
             Command::Open(name) => {
-                let document = Document::open(&name)?;
+                let (document, loaded) = Document::open(&name)?;
                 // The same world goes on, so that its meshes are known to have changed.
-                self.world.set_scene(document.active().clone())?;
-                warm_up(&mut self.world)?;
+                self.world.set_scene(loaded)?;
+                // World and document are of the same scene from here on, whatever fails.
                 self.document = document;
                 self.view.preset = None;
                 self.view.notice = None;
+                warm_up(&mut self.world)?;
             }
         }
         Ok(())
@@ -173,7 +176,7 @@ impl App {
         let side =
             |points: f32| ((points * ui.pixels_per_point()).round() as u32).clamp(*SIDE_PX.start(), *SIDE_PX.end());
         let size_px = [side(rect.width()), side(rect.height())];
-        let scene = &self.document.active().scene;
+        let scene = self.document.active();
         let (look, counted) = ((&scene.camera, &scene.look), self.view.layers_counted);
         if let Err(error) = self.viewport.draw(size_px, &self.world, look, counted, &mut self.meters) {
             self.view.notice = Some(format!("{error:#}"));
@@ -225,8 +228,9 @@ impl eframe::App for App {
 
 /// Lets the fire grow before it is shown.
 fn warm_up(world: &mut World) -> Result<()> {
-    for _ in 0..30 {
-        world.step(WARMUP_S / 30.0)?;
+    let slices = slices(WARMUP_S, f64::from(world.scene().scene.air.time_step_s));
+    for _ in 0..slices {
+        world.step((WARMUP_S / f64::from(slices)) as f32)?;
     }
     Ok(())
 }

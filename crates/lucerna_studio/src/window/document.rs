@@ -15,32 +15,33 @@ pub(super) struct Document {
     pub(super) edited: Scene,
     /// Why `edited` is not what burns.
     pub(super) error: Option<String>,
-    /// The last allowed state.
-    active: LoadedScene,
+    /// The last allowed state: what burns is also in the world, camera and look are only here.
+    active: Scene,
     /// The last state that was tried.
     tried: Scene,
     opened: Scene,
 }
 
 impl Document {
-    pub(super) fn new(name: String, loaded: LoadedScene) -> Self {
+    pub(super) fn new(name: String, scene: &Scene) -> Self {
         Self {
             name,
-            edited: loaded.scene.clone(),
+            edited: scene.clone(),
             error: None,
-            tried: loaded.scene.clone(),
-            opened: loaded.scene.clone(),
-            active: loaded,
+            tried: scene.clone(),
+            opened: scene.clone(),
+            active: scene.clone(),
         }
     }
 
-    /// Opens another scene.
-    pub(super) fn open(name: &str) -> Result<Self> {
-        Ok(Self::new(name.into(), scenes::open(name, &SceneArgs::default(), |_| {})?))
+    /// Opens another scene, and gives what a world is made from.
+    pub(super) fn open(name: &str) -> Result<(Self, LoadedScene)> {
+        let loaded = scenes::open(name, &SceneArgs::default(), |_| {})?;
+        Ok((Self::new(name.into(), &loaded.scene), loaded))
     }
 
     /// What burns and how it is looked at.
-    pub(super) fn active(&self) -> &LoadedScene {
+    pub(super) fn active(&self) -> &Scene {
         &self.active
     }
 
@@ -69,14 +70,60 @@ impl Document {
     }
 
     fn try_apply(&mut self, world: &mut World) -> Result<()> {
-        let loaded = scenes::with_parameters(&self.active, self.edited.clone(), &scenes::base_dir(&self.name))?;
-        if !scenes::burn_alike(&loaded.scene, &self.active.scene) {
-            world.set_scene(loaded.clone())?;
-            if loaded.scene.seed != self.active.scene.seed {
-                world.reset();
-            }
+        if scenes::burn_alike(&self.edited, &self.active) {
+            // The frame is drawn with the document's own camera and look: the world need not know.
+            lucerna::scene::validate(&self.edited)?;
+        } else {
+            let base_dir = scenes::base_dir(&self.name);
+            world.set_scene(scenes::with_parameters(world.scene(), self.edited.clone(), &base_dir)?)?;
         }
-        self.active = loaded;
+        self.active = self.edited.clone();
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn opened() -> (Document, World) {
+        let (document, loaded) = Document::open("candle").unwrap();
+        (document, World::new(loaded).unwrap())
+    }
+
+    #[test]
+    fn camera_and_look_are_taken_over_without_touching_the_world() {
+        let (mut document, mut world) = opened();
+        let before = world.scene().scene.clone();
+        document.edited.camera.fov_y_deg += 1.0;
+        document.edited.look.exposure_stops += 1.0;
+        document.apply(&mut world);
+        assert_eq!(document.error, None);
+        assert_eq!(document.active(), &document.edited);
+        assert_eq!(world.scene().scene, before);
+    }
+
+    #[test]
+    fn what_burns_is_taken_over_by_the_world() {
+        let (mut document, mut world) = opened();
+        world.step(0.1).unwrap();
+        document.edited.seed += 1;
+        document.apply(&mut world);
+        assert_eq!((&document.error, world.time_s()), (&None, 0.0));
+        let mut anew = World::new(world.scene().clone()).unwrap();
+        for world in [&mut world, &mut anew] {
+            world.step(0.1).unwrap();
+        }
+        assert_eq!(world.state_hash(), anew.state_hash());
+    }
+
+    #[test]
+    fn what_is_not_allowed_changes_nothing() {
+        let (mut document, mut world) = opened();
+        let before = document.active().clone();
+        document.edited.look.layers = 0;
+        document.apply(&mut world);
+        assert!(document.error.is_some());
+        assert_eq!((document.active(), &world.scene().scene), (&before, &before));
     }
 }
