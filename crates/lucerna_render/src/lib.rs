@@ -26,6 +26,7 @@ mod data;
 mod error;
 mod flames;
 mod glow;
+mod layouts;
 mod opaque;
 mod pipelines;
 mod renderer;

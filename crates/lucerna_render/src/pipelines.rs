@@ -1,12 +1,10 @@
-//! All pipelines and bind group layouts, made once.
+//! All pipelines, made once.
 
-use crate::data::View;
+use crate::layouts::Layouts;
 use lucerna_shaders as wgsl;
-use std::num::NonZeroU64;
 use wgpu::{
-    BindGroupLayout, BindingType, ColorTargetState, CompareFunction, DepthStencilState, Device, PrimitiveTopology,
-    RenderPipeline, SamplerBindingType, ShaderStages, TextureFormat, TextureSampleType, TextureViewDimension,
-    VertexBufferLayout, VertexStepMode,
+    BindGroupLayout, ColorTargetState, CompareFunction, DepthStencilState, Device, PrimitiveTopology, RenderPipeline,
+    TextureFormat, VertexBufferLayout, VertexStepMode,
 };
 
 /// Scene-referred colour.
@@ -17,96 +15,6 @@ pub(crate) const DEPTH: TextureFormat = TextureFormat::Depth32Float;
 pub(crate) const LAYER: TextureFormat = TextureFormat::Rg32Uint;
 /// Number of surfaces behind a pixel; counts to 2048 are exact.
 pub(crate) const COUNT: TextureFormat = TextureFormat::R16Float;
-
-/// The layouts of all bind groups.
-#[derive(Debug)]
-pub(crate) struct Layouts {
-    pub(crate) common: BindGroupLayout,
-    pub(crate) peel: BindGroupLayout,
-    pub(crate) shell: BindGroupLayout,
-    pub(crate) texture: BindGroupLayout,
-    pub(crate) volume: BindGroupLayout,
-    pub(crate) blur: BindGroupLayout,
-    pub(crate) compose: BindGroupLayout,
-}
-
-impl Layouts {
-    fn new(device: &Device) -> Self {
-        let make = |label, types: &[BindingType]| {
-            let entries: Vec<_> = types
-                .iter()
-                .enumerate()
-                .map(|(binding, ty)| wgpu::BindGroupLayoutEntry {
-                    binding: binding as u32,
-                    // Only the view is read in vertex shaders.
-                    visibility: if matches!(ty, BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, .. }) {
-                        ShaderStages::VERTEX_FRAGMENT
-                    } else {
-                        ShaderStages::FRAGMENT
-                    },
-                    ty: *ty,
-                    count: None,
-                })
-                .collect();
-            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
-        };
-        let uniform = |size: usize| BindingType::Buffer {
-            ty: wgpu::BufferBindingType::Uniform,
-            has_dynamic_offset: false,
-            min_binding_size: NonZeroU64::new(size as u64),
-        };
-        let storage = |read_only| BindingType::Buffer {
-            ty: wgpu::BufferBindingType::Storage { read_only },
-            has_dynamic_offset: false,
-            min_binding_size: None,
-        };
-        let texture = |filterable, view_dimension| BindingType::Texture {
-            sample_type: TextureSampleType::Float { filterable },
-            view_dimension,
-            multisampled: false,
-        };
-        let surfaces = BindingType::Texture {
-            sample_type: TextureSampleType::Uint,
-            view_dimension: TextureViewDimension::D2Array,
-            multisampled: false,
-        };
-        let sampler = BindingType::Sampler(SamplerBindingType::Filtering);
-        let (plain, smooth) = (texture(false, TextureViewDimension::D2), texture(true, TextureViewDimension::D2));
-        Self {
-            common: make("common", &[uniform(size_of::<View>()), storage(true), storage(true)]),
-            peel: make("peel", &[plain, plain]),
-            shell: make("shell", &[surfaces]),
-            texture: make("flame texture", &[smooth, sampler]),
-            volume: make(
-                "volume",
-                &[
-                    surfaces,
-                    texture(false, TextureViewDimension::D2Array),
-                    plain,
-                    texture(true, TextureViewDimension::D3),
-                    sampler,
-                    storage(false),
-                ],
-            ),
-            blur: make("blur", &[uniform(size_of::<crate::data::Kernel>()), plain]),
-            compose: make(
-                "compose",
-                &[
-                    uniform(size_of::<crate::data::ComposeData>()),
-                    plain,
-                    plain,
-                    smooth,
-                    smooth,
-                    smooth,
-                    smooth,
-                    surfaces,
-                    plain,
-                    sampler,
-                ],
-            ),
-        }
-    }
-}
 
 /// Composition, specialised by what it has to read.
 #[derive(Debug)]

@@ -1,7 +1,8 @@
 //! Every texture that depends on the picture's size, and the bind groups over them, in one owner.
 
 use crate::data::{Kernel, MAX_GLOW};
-use crate::pipelines::{COUNT, DEPTH, HDR, LAYER, Layouts};
+use crate::layouts::Layouts;
+use crate::pipelines::{COUNT, DEPTH, HDR, LAYER};
 use lucerna_frame::Look;
 use wgpu::{BindGroup, BindingResource, Device, TextureFormat, TextureUsages, TextureView, TextureViewDimension};
 

@@ -164,8 +164,8 @@ fn a_depth_that_is_there_cuts_flames_as_a_mesh_does() {
     let (world, mut painter) = (burning("torch", 1.0), Painter::new(Rgba8UnormSrgb));
     let camera = from_afar(&world);
     // A wall across the middle of the fire.
-    let (low, high) = extent(&world);
-    let z = (low.z + high.z) / 2.0;
+    let frame = world.frame();
+    let z = frame.flame_vertices.iter().map(|v| v.position[2]).sum::<f32>() / frame.flame_vertices.len() as f32;
     let corners = [[-9.0, -9.0], [9.0, -9.0], [9.0, 9.0], [-9.0, 9.0]];
     let corner = |[x, y]: [f32; 2]| MeshVertex { position: [x, y, z], normal: [0.0, 0.0, 1.0], ..Default::default() };
     let wall = [OpaqueMesh { vertices: corners.map(corner).to_vec(), indices: vec![0, 1, 2, 0, 2, 3] }];
