@@ -37,7 +37,7 @@ fn built_in_meshes_are_sound() {
 }
 
 fn glows(mesh: &OpaqueMesh) -> bool {
-    mesh.vertices.iter().any(|vertex| vertex.emission[0] > 0.1)
+    mesh.vertices.iter().any(|vertex| vertex.emission[0] > 0.01)
 }
 
 #[test]
