@@ -10,7 +10,7 @@ const MAX_ACCELERATION_M_S2: f32 = 1e6;
 /// Makes the air, at rest or moving with the wind.
 pub(crate) fn build(air: &Air) -> Result<Fluid, FluidError> {
     let sides = match air.sides {
-        AirSides::Floor => Sides { y: [Side::Closed, Side::Open], ..Sides::OPEN },
+        AirSides::Floor => Sides { y: [Side::FreeSlip, Side::Open], ..Sides::OPEN },
         AirSides::Open => Sides::OPEN,
         AirSides::Closed => Sides::CLOSED,
     };

@@ -40,7 +40,7 @@ fn main() {
 
 /// Shortest step of a plume, ms, and the last report.
 fn run(n: usize, steps: usize, pressure: PressureSolver) -> (f64, StepReport) {
-    let sides = Sides { y: [Side::Closed, Side::Open], ..Sides::OPEN };
+    let sides = Sides { y: [Side::FreeSlip, Side::Open], ..Sides::OPEN };
     let mut fluid = Fluid::builder([n; 3]).sides(sides).pressure(pressure).build().expect("a small box");
     let mut best = f64::MAX;
     let mut report = StepReport::default();

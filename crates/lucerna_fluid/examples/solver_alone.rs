@@ -13,7 +13,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(folder)?;
     let mut air = Fluid::builder(CELLS)
         .size_m(Vec3::new(0.8, 1.2, 0.8))
-        .sides(Sides { y: [Side::Closed, Side::Open], ..Sides::OPEN })
+        .sides(Sides { y: [Side::FreeSlip, Side::Open], ..Sides::OPEN })
         .vorticity_confinement(3.0)
         .cooling_per_s(0.6)
         .build()?;

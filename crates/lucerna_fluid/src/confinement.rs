@@ -25,59 +25,91 @@ impl Confinement {
     pub(crate) fn apply(&mut self, grid: &Grid, velocity: &mut [Field; 3], strength: f32, dt_s: f32) {
         let cells = grid.cells;
         let plane = grid.plane();
-        let is_parallel = grid.is_parallel;
+        let exec = grid.exec;
         let faces: &[Field; 3] = velocity;
-        for_planes(is_parallel, &mut self.vectors, plane, |k, out| {
-            for (j, row) in out.chunks_exact_mut(cells[0]).enumerate() {
-                centre_velocities(faces, j, k, row);
-            }
-        });
+        for_planes(
+            exec,
+            &mut self.vectors,
+            plane,
+            #[inline(always)]
+            |k, out| {
+                for (j, row) in out.chunks_exact_mut(cells[0]).enumerate() {
+                    centre_velocities(faces, j, k, row);
+                }
+            },
+        );
         let centres = &self.vectors;
-        for_planes(is_parallel, &mut self.vorticity, plane, |k, out| {
-            for_slopes(grid, k, out, |out, slope| {
-                let (dx, dy, dz) = (slope[0].of(centres), slope[1].of(centres), slope[2].of(centres));
-                *out = Vec3::new(dy.z - dz.y, dz.x - dx.z, dx.y - dy.x);
-            });
-        });
+        for_planes(
+            exec,
+            &mut self.vorticity,
+            plane,
+            #[inline(always)]
+            |k, out| {
+                for_slopes(grid, k, out, |out, slope| {
+                    let (dx, dy, dz) = (slope[0].of(centres), slope[1].of(centres), slope[2].of(centres));
+                    *out = Vec3::new(dy.z - dz.y, dz.x - dx.z, dx.y - dy.x);
+                });
+            },
+        );
         let vorticity = &self.vorticity;
-        for_planes(is_parallel, &mut self.size, plane, |k, out| {
-            for (size, vorticity) in out.iter_mut().zip(&vorticity[k * plane..]) {
-                *size = vorticity.length();
-            }
-        });
+        for_planes(
+            exec,
+            &mut self.size,
+            plane,
+            #[inline(always)]
+            |k, out| {
+                for (size, vorticity) in out.iter_mut().zip(&vorticity[k * plane..]) {
+                    *size = vorticity.length();
+                }
+            },
+        );
         let size = &self.size;
         let scale = strength * grid.shortest_m() * dt_s;
-        for_planes(is_parallel, &mut self.vectors, plane, |k, out| {
-            let mut at = k * plane;
-            for_slopes(grid, k, out, |out, slope| {
-                let towards = Vec3::new(slope[0].of(size), slope[1].of(size), slope[2].of(size)).normalize_or_zero();
-                *out = scale * towards.cross(vorticity[at]);
-                at += 1;
-            });
-        });
+        for_planes(
+            exec,
+            &mut self.vectors,
+            plane,
+            #[inline(always)]
+            |k, out| {
+                let mut at = k * plane;
+                for_slopes(grid, k, out, |out, slope| {
+                    let towards =
+                        Vec3::new(slope[0].of(size), slope[1].of(size), slope[2].of(size)).normalize_or_zero();
+                    *out = scale * towards.cross(vorticity[at]);
+                    at += 1;
+                });
+            },
+        );
         let force = &self.vectors;
         let strides = [1, cells[0], plane];
         for (axis, field) in velocity.iter_mut().enumerate() {
             let [nx, ny, _] = field.counts;
-            for_planes(is_parallel, &mut field.data, nx * ny, |k, out| {
-                for (j, row) in out.chunks_exact_mut(nx).enumerate() {
-                    for (i, out) in row.iter_mut().enumerate() {
-                        // The cells on either side of the face; at a side of the box, the one there is twice.
-                        let face = [i, j, k];
-                        let mut high = face;
-                        high[axis] = high[axis].min(cells[axis] - 1);
-                        let high_at = high[0] + cells[0] * high[1] + plane * high[2];
-                        let is_inside = face[axis] > 0 && face[axis] < cells[axis];
-                        let low_at = if is_inside { high_at - strides[axis] } else { high_at };
-                        *out += 0.5 * (force[low_at][axis] + force[high_at][axis]);
+            for_planes(
+                exec,
+                &mut field.data,
+                nx * ny,
+                #[inline(always)]
+                |k, out| {
+                    for (j, row) in out.chunks_exact_mut(nx).enumerate() {
+                        for (i, out) in row.iter_mut().enumerate() {
+                            // The cells on either side of the face; at a side of the box, the one there is twice.
+                            let face = [i, j, k];
+                            let mut high = face;
+                            high[axis] = high[axis].min(cells[axis] - 1);
+                            let high_at = high[0] + cells[0] * high[1] + plane * high[2];
+                            let is_inside = face[axis] > 0 && face[axis] < cells[axis];
+                            let low_at = if is_inside { high_at - strides[axis] } else { high_at };
+                            *out += 0.5 * (force[low_at][axis] + force[high_at][axis]);
+                        }
                     }
-                }
-            });
+                },
+            );
         }
     }
 }
 
 /// Velocities at the centres of a row of cells, m/s.
+#[inline(always)]
 fn centre_velocities([u, v, w]: &[Field; 3], j: usize, k: usize, out: &mut [Vec3]) {
     let row = |field: &Field, j: usize, k: usize| field.counts[0] * (j + field.counts[1] * k);
     let (u, n) = (&u.data[row(u, j, k)..], out.len());
@@ -114,6 +146,7 @@ impl Slope {
 }
 
 /// Calls `each` with every cell of plane `k` and where its slopes along the three axes are to be taken.
+#[inline(always)]
 fn for_slopes<T>(grid: &Grid, k: usize, out: &mut [T], mut each: impl FnMut(&mut T, [Slope; 3])) {
     let [nx, ny, nz] = grid.cells;
     let plane = grid.plane();

@@ -19,17 +19,23 @@ pub(crate) fn heat_and_cool(
 ) {
     let plane = grid.plane();
     let keep = (-cooling_per_s * dt_s).exp();
-    for_planes(grid.is_parallel, &mut temperature.data, plane, |k, out| {
-        if let Some(heat) = heat {
-            let rates = &heat[k * plane..(k + 1) * plane];
-            for (value, rate) in out.iter_mut().zip(rates) {
-                *value = (*value + dt_s * rate).max(lowest_k).min(MAX_TEMPERATURE_K);
+    for_planes(
+        grid.exec,
+        &mut temperature.data,
+        plane,
+        #[inline(always)]
+        |k, out| {
+            if let Some(heat) = heat {
+                let rates = &heat[k * plane..(k + 1) * plane];
+                for (value, rate) in out.iter_mut().zip(rates) {
+                    *value = (*value + dt_s * rate).max(lowest_k).min(MAX_TEMPERATURE_K);
+                }
             }
-        }
-        if keep != 1.0 {
-            out.iter_mut().for_each(|value| *value *= keep);
-        }
-    });
+            if keep != 1.0 {
+                out.iter_mut().for_each(|value| *value *= keep);
+            }
+        },
+    );
 }
 
 /// Adds `g dT / ambient` on the faces across y, `dT / ambient` clamped to -1..=10.
@@ -37,32 +43,50 @@ pub(crate) fn buoyancy(grid: &Grid, v: &mut Field, temperature: &Field, ambient_
     let [nx, ny, _] = grid.cells;
     let (least, most) = BUOYANCY_RATIO;
     let ratio = 0.5 / ambient_k;
-    for_planes(grid.is_parallel, &mut v.data, nx * (ny + 1), |k, out| {
-        let row = |j: usize| &temperature.data[nx * (j + ny * k)..][..nx];
-        for (j, out) in out.chunks_exact_mut(nx).enumerate() {
-            let (low, high) = (row(j.saturating_sub(1)), row(j.min(ny - 1)));
-            for ((value, low), high) in out.iter_mut().zip(low).zip(high) {
-                *value += dt_s * GRAVITY_M_S2 * ((low + high) * ratio).max(least).min(most);
+    for_planes(
+        grid.exec,
+        &mut v.data,
+        nx * (ny + 1),
+        #[inline(always)]
+        |k, out| {
+            let row = |j: usize| &temperature.data[nx * (j + ny * k)..][..nx];
+            for (j, out) in out.chunks_exact_mut(nx).enumerate() {
+                let (low, high) = (row(j.saturating_sub(1)), row(j.min(ny - 1)));
+                for ((value, low), high) in out.iter_mut().zip(low).zip(high) {
+                    *value += dt_s * GRAVITY_M_S2 * ((low + high) * ratio).max(least).min(most);
+                }
             }
-        }
-    });
+        },
+    );
 }
 
 /// Adds accelerations that lie on the same faces.
-pub(crate) fn accelerate(grid: &Grid, field: &mut Field, acceleration: &Field, dt_s: f32) {
+pub(crate) fn accelerate(grid: &Grid, field: &mut Field, acceleration: &[f32], dt_s: f32) {
     let plane = field.plane();
-    for_planes(grid.is_parallel, &mut field.data, plane, |k, out| {
-        let rates = &acceleration.data[k * plane..(k + 1) * plane];
-        out.iter_mut().zip(rates).for_each(|(value, rate)| *value += dt_s * rate);
-    });
+    for_planes(
+        grid.exec,
+        &mut field.data,
+        plane,
+        #[inline(always)]
+        |k, out| {
+            let rates = &acceleration[k * plane..(k + 1) * plane];
+            out.iter_mut().zip(rates).for_each(|(value, rate)| *value += dt_s * rate);
+        },
+    );
 }
 
 /// Clamps each face velocity to the greatest speed.
 pub(crate) fn clamp_speed(grid: &Grid, field: &mut Field) {
     let plane = field.plane();
-    for_planes(grid.is_parallel, &mut field.data, plane, |_, out| {
-        out.iter_mut().for_each(|value| *value = value.clamp(-MAX_SPEED_M_S, MAX_SPEED_M_S));
-    });
+    for_planes(
+        grid.exec,
+        &mut field.data,
+        plane,
+        #[inline(always)]
+        |_, out| {
+            out.iter_mut().for_each(|value| *value = value.clamp(-MAX_SPEED_M_S, MAX_SPEED_M_S));
+        },
+    );
 }
 
 /// Calls `change` for every face value on one side of the box.
@@ -81,9 +105,9 @@ pub(crate) fn fix_sides(grid: &Grid, velocity: &mut [Field; 3], wind: [f32; 3]) 
     for (axis, field) in velocity.iter_mut().enumerate() {
         for end in 0..2 {
             match grid.sides[axis][end] {
-                Side::Closed | Side::ClosedNoSlip => for_side(field, axis, end, |value| *value = 0.0),
+                Side::FreeSlip | Side::NoSlip => for_side(field, axis, end, |value| *value = 0.0),
                 Side::Inflow => for_side(field, axis, end, |value| *value = wind[axis]),
-                Side::Open => {}
+                Side::Open | Side::Periodic => {}
             }
         }
     }
@@ -123,7 +147,7 @@ pub(crate) fn energy(grid: &Grid, velocity: &[Field; 3], partials: &mut [Partial
             }
             Partial { sum, ..Partial::default() }
         };
-        total += reduce(grid.is_parallel, &mut partials[..nz], squares).sum;
+        total += reduce(grid.exec, &mut partials[..nz], squares).sum;
     }
     total
 }
@@ -136,9 +160,15 @@ pub(crate) fn limit_energy(grid: &Grid, velocity: &mut [Field; 3], allowed: f64,
         let scale = (allowed / found).sqrt() as f32;
         for field in velocity {
             let plane = field.plane();
-            for_planes(grid.is_parallel, &mut field.data, plane, |_, out| {
-                out.iter_mut().for_each(|value| *value *= scale);
-            });
+            for_planes(
+                grid.exec,
+                &mut field.data,
+                plane,
+                #[inline(always)]
+                |_, out| {
+                    out.iter_mut().for_each(|value| *value *= scale);
+                },
+            );
         }
     }
 }

@@ -3,7 +3,9 @@
 use glam::Vec3;
 
 use crate::limits::PARALLEL_CELLS;
+use crate::parallel::Execution;
 use crate::sides::Side;
+use crate::simd::Simd;
 
 /// Shape of the box. Never changes after `build`.
 #[derive(Clone, Debug)]
@@ -13,8 +15,7 @@ pub(crate) struct Grid {
     pub(crate) origin: Vec3,
     pub(crate) size_m: Vec3,
     pub(crate) sides: [[Side; 2]; 3],
-    /// Whether planes are shared among threads.
-    pub(crate) is_parallel: bool,
+    pub(crate) exec: Execution,
 }
 
 impl Grid {
@@ -22,7 +23,7 @@ impl Grid {
         let size = size_m.to_array();
         let cell_m = std::array::from_fn(|axis| size[axis] / cells[axis] as f32);
         let is_parallel = cells.iter().product::<usize>() >= PARALLEL_CELLS;
-        Self { cells, cell_m, origin, size_m, sides, is_parallel }
+        Self { cells, cell_m, origin, size_m, sides, exec: Execution { is_parallel, simd: Simd::best() } }
     }
 
     /// Number of cells.
@@ -62,6 +63,6 @@ impl Grid {
 
     /// Whether no side lets the pressure out: it is then known up to a constant only.
     pub(crate) fn is_sealed(&self) -> bool {
-        self.sides.iter().flatten().all(|side| side.fixes_flow())
+        !self.sides.iter().flatten().any(|side| *side == Side::Open)
     }
 }

@@ -3,6 +3,7 @@
 const LANES: usize = 8;
 
 /// Greatest magnitude.
+#[inline(always)]
 pub(crate) fn max_abs(row: &[f32]) -> f32 {
     let mut lanes = [0.0_f32; LANES];
     let (chunks, rest) = row.as_chunks::<LANES>();
@@ -15,7 +16,21 @@ pub(crate) fn max_abs(row: &[f32]) -> f32 {
     rest.iter().chain(&lanes).fold(0.0, |most, value| most.max(value.abs()))
 }
 
+/// Greatest value, or zero.
+#[inline(always)]
+pub(crate) fn highest(row: &[f32]) -> f32 {
+    let mut lanes = [0.0_f32; LANES];
+    let (chunks, rest) = row.as_chunks::<LANES>();
+    for chunk in chunks {
+        for (lane, value) in lanes.iter_mut().zip(chunk) {
+            *lane = if *value > *lane { *value } else { *lane };
+        }
+    }
+    rest.iter().chain(&lanes).fold(0.0, |most, value| most.max(*value))
+}
+
 /// Sum of the squares.
+#[inline(always)]
 pub(crate) fn sum_squares(row: &[f32]) -> f64 {
     let mut lanes = [0.0_f32; LANES];
     let (chunks, rest) = row.as_chunks::<LANES>();
@@ -29,6 +44,7 @@ pub(crate) fn sum_squares(row: &[f32]) -> f64 {
 }
 
 /// Sum.
+#[inline(always)]
 pub(crate) fn sum(row: &[f32]) -> f64 {
     let mut lanes = [0.0_f32; LANES];
     let (chunks, rest) = row.as_chunks::<LANES>();

@@ -6,7 +6,7 @@
 //! # fn main() -> Result<(), lucerna_fluid::FluidError> {
 //! let mut fluid = Fluid::builder([15, 15, 15])
 //!     .size_m(Vec3::splat(0.3))
-//!     .sides(Sides { y: [Side::Closed, Side::Open], ..Sides::OPEN })
+//!     .sides(Sides { y: [Side::FreeSlip, Side::Open], ..Sides::OPEN })
 //!     .build()?;
 //! for _ in 0..30 {
 //!     fluid.add_heat(Vec3::new(0.15, 0.03, 0.15), 0.04, 3000.0)?;
@@ -43,8 +43,11 @@ mod parallel;
 mod pressure;
 mod read;
 mod report;
+mod scratch;
 mod sides;
+mod simd;
 mod sources;
+mod step;
 mod transport;
 mod viscosity;
 
@@ -54,5 +57,5 @@ pub use fluid::Fluid;
 pub use glam::Vec3;
 pub use limits::{GRAVITY_M_S2, MAX_AXIS_CELLS, MAX_CELLS, MAX_DT_S, MAX_SPEED_M_S, MAX_TEMPERATURE_K, MIN_AXIS_CELLS};
 pub use pressure::PressureSolver;
-pub use report::StepReport;
+pub use report::{StageTimes, StepReport};
 pub use sides::{Side, Sides};

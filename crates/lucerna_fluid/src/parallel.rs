@@ -2,6 +2,16 @@
 
 use rayon::prelude::*;
 
+use crate::simd::Simd;
+
+/// How passes over the grid are run.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Execution {
+    /// Whether planes are shared among threads.
+    pub(crate) is_parallel: bool,
+    pub(crate) simd: Simd,
+}
+
 /// What a plane contributes to the figures of a step. Planes are combined in order.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Partial {
@@ -23,43 +33,69 @@ impl Partial {
 
 /// Calls `work(k, plane)` for each run of `plane` values.
 pub(crate) fn for_planes<T: Send>(
-    is_parallel: bool,
+    exec: Execution,
     data: &mut [T],
     plane: usize,
     work: impl Fn(usize, &mut [T]) + Sync + Send,
 ) {
-    if is_parallel {
-        data.par_chunks_mut(plane).enumerate().for_each(|(k, values)| work(k, values));
+    if exec.is_parallel {
+        data.par_chunks_mut(plane).enumerate().for_each(|(k, values)| {
+            exec.simd.run(
+                #[inline(always)]
+                || work(k, values),
+            )
+        });
     } else {
-        data.chunks_mut(plane).enumerate().for_each(|(k, values)| work(k, values));
+        data.chunks_mut(plane).enumerate().for_each(|(k, values)| {
+            exec.simd.run(
+                #[inline(always)]
+                || work(k, values),
+            )
+        });
     }
 }
 
 /// As [`for_planes`]; each plane also fills its partial result. Returns their combination.
 pub(crate) fn reduce_planes<T: Send>(
-    is_parallel: bool,
+    exec: Execution,
     data: &mut [T],
     plane: usize,
     partials: &mut [Partial],
     work: impl Fn(usize, &mut [T]) -> Partial + Sync + Send,
 ) -> Partial {
     let planes = data.len() / plane;
-    if is_parallel {
+    if exec.is_parallel {
         let shared = data.par_chunks_mut(plane).zip(partials.par_iter_mut()).enumerate();
-        shared.for_each(|(k, (values, partial))| *partial = work(k, values));
+        shared.for_each(|(k, (values, partial))| {
+            *partial = exec.simd.run(
+                #[inline(always)]
+                || work(k, values),
+            )
+        });
     } else {
         let planes = data.chunks_mut(plane).zip(partials.iter_mut()).enumerate();
-        planes.for_each(|(k, (values, partial))| *partial = work(k, values));
+        planes.for_each(|(k, (values, partial))| {
+            *partial = exec.simd.run(
+                #[inline(always)]
+                || work(k, values),
+            )
+        });
     }
     Partial::combine(&partials[..planes])
 }
 
 /// Fills each plane's partial result without writing to a field. Returns their combination.
 pub(crate) fn reduce(
-    is_parallel: bool,
+    exec: Execution,
     partials: &mut [Partial],
     work: impl Fn(usize) -> Partial + Sync + Send,
 ) -> Partial {
-    for_planes(is_parallel, partials, 1, |k, partial| partial.fill(work(k)));
+    for_planes(
+        exec,
+        partials,
+        1,
+        #[inline(always)]
+        |k, partial| partial.fill(work(k)),
+    );
     Partial::combine(partials)
 }

@@ -43,73 +43,91 @@ pub(crate) struct Projected {
     pub(crate) speeds: [f32; 3],
 }
 
-/// The solver with its arrays.
-pub(crate) struct Projection {
-    method: PressureSolver,
+/// What a solver computes once for a grid.
+pub(crate) struct Tables {
     direct: Option<DirectSolver>,
-    /// Velocity potential, m²/s: pressure times dt over density.
-    pub(crate) potential: Vec<f32>,
-    divergence: Vec<f32>,
-    partials: Vec<Partial>,
 }
 
-impl Projection {
+impl Tables {
     pub(crate) fn new(grid: &Grid, method: PressureSolver) -> Self {
-        Self {
-            method,
-            direct: (method == PressureSolver::Direct).then(|| DirectSolver::new(grid)),
-            potential: vec![0.0; grid.count()],
-            divergence: vec![0.0; grid.count()],
-            partials: vec![Partial::default(); grid.cells[2] + 1],
-        }
+        Self { direct: (method == PressureSolver::Direct).then(|| DirectSolver::new(grid)) }
     }
+}
 
+/// A projection about to be made.
+pub(crate) struct Projection<'a> {
+    pub(crate) grid: &'a Grid,
+    pub(crate) method: PressureSolver,
+    pub(crate) tables: &'a Tables,
+    /// One value a cell, as `spare`.
+    pub(crate) divergence: &'a mut [f32],
+    pub(crate) spare: &'a mut [f32],
+    /// One a plane of faces.
+    pub(crate) partials: &'a mut [Partial],
+}
+
+impl Projection<'_> {
     /// Subtracts the gradient that makes `div velocity = expansion`. In a sealed box the mean of
-    /// the expansion is left out: nothing can get away.
-    pub(crate) fn project(&mut self, grid: &Grid, velocity: &mut [Field; 3], expansion: Option<&[f32]>) -> Projected {
-        let speed_before = speeds(grid, velocity, &mut self.partials).into_iter().fold(0.0, f32::max);
-        let mut before = self.measure(grid, velocity, expansion, 0.0);
+    /// the expansion is left out: nothing can get away. `potential` is the velocity potential,
+    /// pressure times dt over density, m²/s.
+    pub(crate) fn project(
+        &mut self,
+        velocity: &mut [Field; 3],
+        expansion: Option<&[f32]>,
+        potential: &mut [f32],
+    ) -> Projected {
+        let grid = self.grid;
+        let speed_before = speeds(grid, velocity, self.partials).into_iter().fold(0.0, f32::max);
+        let mut before = self.measure(velocity, expansion, 0.0);
         let mut mean = 0.0;
         if grid.is_sealed() {
             mean = (before.sum / grid.count() as f64) as f32;
-            before = self.measure(grid, velocity, expansion, mean);
+            before = self.measure(velocity, expansion, mean);
         }
-        match (&self.direct, self.method) {
+        match (&self.tables.direct, self.method) {
             (None, PressureSolver::GaussSeidel { sweeps }) => {
-                gauss_seidel::solve(grid, &self.divergence, &mut self.potential, sweeps);
+                gauss_seidel::solve(grid, self.divergence, potential, sweeps);
             }
             (Some(direct), _) => {
-                direct.solve(grid, &mut self.divergence, &mut self.potential);
-                std::mem::swap(&mut self.divergence, &mut self.potential);
+                potential.copy_from_slice(self.divergence);
+                direct.solve(grid, potential, self.spare);
             }
             (None, PressureSolver::Direct) => {}
         }
-        subtract_gradient(grid, &self.potential, velocity);
-        let mut speeds = speeds(grid, velocity, &mut self.partials);
+        subtract_gradient(grid, potential, velocity);
+        let mut speeds = speeds(grid, velocity, self.partials);
         let fastest = speeds.into_iter().fold(0.0, f32::max);
         if fastest > MAX_SPEED_M_S {
             let scale = MAX_SPEED_M_S / fastest;
             velocity.iter_mut().flat_map(|field| &mut field.data).for_each(|value| *value *= scale);
             speeds = speeds.map(|speed| speed * scale);
         }
-        let after = self.measure(grid, velocity, expansion, mean);
+        let after = self.measure(velocity, expansion, mean);
         let residual = if before.squares > 0.0 { (after.squares / before.squares).sqrt() as f32 } else { 0.0 };
         Projected { residual, max_before: before.max, max_after: after.max, speed_before, speeds }
     }
 
     /// Fills `divergence` with `div velocity - expansion - mean`; returns its sums and maximum.
-    fn measure(&mut self, grid: &Grid, velocity: &[Field; 3], expansion: Option<&[f32]>, mean: f32) -> Partial {
+    fn measure(&mut self, velocity: &[Field; 3], expansion: Option<&[f32]>, mean: f32) -> Partial {
+        let grid = self.grid;
         let plane = grid.plane();
-        reduce_planes(grid.is_parallel, &mut self.divergence, plane, &mut self.partials, |k, out| {
-            divergence_plane(grid, velocity, k, out);
-            if let Some(expansion) = expansion {
-                let rates = &expansion[k * plane..(k + 1) * plane];
-                out.iter_mut().zip(rates).for_each(|(value, rate)| *value -= rate);
-            }
-            if mean != 0.0 {
-                out.iter_mut().for_each(|value| *value -= mean);
-            }
-            Partial { sum: sum(out), squares: sum_squares(out), max: max_abs(out) }
-        })
+        reduce_planes(
+            grid.exec,
+            self.divergence,
+            plane,
+            self.partials,
+            #[inline(always)]
+            |k, out| {
+                divergence_plane(grid, velocity, k, out);
+                if let Some(expansion) = expansion {
+                    let rates = &expansion[k * plane..(k + 1) * plane];
+                    out.iter_mut().zip(rates).for_each(|(value, rate)| *value -= rate);
+                }
+                if mean != 0.0 {
+                    out.iter_mut().for_each(|value| *value -= mean);
+                }
+                Partial { sum: sum(out), squares: sum_squares(out), max: max_abs(out) }
+            },
+        )
     }
 }

@@ -16,7 +16,7 @@ impl Fluid {
     #[must_use]
     pub fn velocity(&self, point: Vec3) -> Vec3 {
         let at = self.grid.cells_from_point(point);
-        let [u, v, w] = &self.velocity;
+        let [u, v, w] = &self.state.velocity;
         Vec3::new(u.sample(at), v.sample(at), w.sample(at))
     }
 
@@ -24,7 +24,7 @@ impl Fluid {
     /// the box, the value at the nearest place inside.
     #[must_use]
     pub fn temperature(&self, point: Vec3) -> f32 {
-        self.temperature.sample(self.grid.cells_from_point(point))
+        self.state.temperature.sample(self.grid.cells_from_point(point))
     }
 
     /// Moves points with the air for `dt_s` seconds by the midpoint rule in the present field;
@@ -93,27 +93,27 @@ impl Fluid {
     #[must_use]
     pub fn mean_kinetic_energy_m2_s2(&self) -> f64 {
         let mut partials = vec![Partial::default(); self.grid.cells[2] + 1];
-        0.5 * energy(&self.grid, &self.velocity, &mut partials) / self.grid.count() as f64
+        0.5 * energy(&self.grid, &self.state.velocity, &mut partials) / self.grid.count() as f64
     }
 
     /// Velocities through the faces, m/s: x component with `[nx + 1, ny, nz]` values, y with
     /// `[nx, ny + 1, nz]`, z with `[nx, ny, nz + 1]`; x fastest.
     #[must_use]
     pub fn face_velocities(&self) -> [&[f32]; 3] {
-        self.velocity.each_ref().map(|field| field.data.as_slice())
+        self.state.velocity.each_ref().map(|field| field.data.as_slice())
     }
 
     /// Temperatures above ambient at the cells' centres, K; x fastest.
     #[must_use]
     pub fn temperatures(&self) -> &[f32] {
-        &self.temperature.data
+        &self.state.temperature.data
     }
 
     /// Velocity potential of the last projection at the cells' centres, m²/s: pressure times
     /// step over density; x fastest.
     #[must_use]
     pub fn potential(&self) -> &[f32] {
-        &self.projection.potential
+        &self.state.potential
     }
 
     /// Divergence of the present velocity by cell, 1/s; x fastest. Allocates.
@@ -121,7 +121,7 @@ impl Fluid {
     pub fn divergence(&self) -> Vec<f32> {
         let mut out = vec![0.0; self.grid.count()];
         for (k, plane) in out.chunks_exact_mut(self.grid.plane()).enumerate() {
-            divergence_plane(&self.grid, &self.velocity, k, plane);
+            divergence_plane(&self.grid, &self.state.velocity, k, plane);
         }
         out
     }
@@ -129,14 +129,14 @@ impl Fluid {
     /// FNV-1a hash of the bits of velocity and temperature: equal states, equal hashes.
     #[must_use]
     pub fn state_hash(&self) -> u64 {
-        let [u, v, w] = &self.velocity;
+        let [u, v, w] = &self.state.velocity;
         let mut hash = 0xcbf2_9ce4_8422_2325_u64;
         let mut mix = |field: &Field| {
             for byte in field.data.iter().flat_map(|value| value.to_bits().to_le_bytes()) {
                 hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
             }
         };
-        [u, v, w, &self.temperature].into_iter().for_each(&mut mix);
+        [u, v, w, &self.state.temperature].into_iter().for_each(&mut mix);
         hash
     }
 }

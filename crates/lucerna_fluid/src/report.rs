@@ -23,4 +23,25 @@ pub struct StepReport {
     pub cfl: f32,
     /// Highest temperature above ambient, K.
     pub max_temperature_k: f32,
+    /// Iterations of the pressure solver; 0 where it is solved directly.
+    pub pressure_iterations: u32,
+    /// Parts into which the step was divided; see [`crate::FluidBuilder::cfl_limit`].
+    pub substeps: u32,
+    /// Time that each stage took.
+    pub times: StageTimes,
+}
+
+/// Time that each stage of a step took, ms.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StageTimes {
+    /// Moving velocity and scalars with the air.
+    pub advection_ms: f32,
+    /// Heat, combustion, and all that accelerates.
+    pub forces_ms: f32,
+    /// Viscosity and conduction.
+    pub viscosity_ms: f32,
+    /// Projections.
+    pub pressure_ms: f32,
+    /// Figures for this report.
+    pub report_ms: f32,
 }

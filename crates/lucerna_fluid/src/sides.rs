@@ -8,23 +8,27 @@ use serde::{Deserialize, Serialize};
 pub enum Side {
     /// A wall without friction: nothing passes, air slides along it.
     #[default]
-    Closed,
-    /// A wall with friction: nothing passes, and viscosity holds the air at the wall still.
-    /// Without viscosity it acts as [`Side::Closed`].
-    ClosedNoSlip,
+    FreeSlip,
+    /// A wall with friction: nothing passes, and viscosity makes the air at the wall move with
+    /// it: at rest, or with the velocity given by [`crate::Fluid::set_side_velocity`]. Without
+    /// viscosity it acts as [`Side::FreeSlip`].
+    NoSlip,
     /// Free air: zero pressure on the face. Air leaves with the velocity that it has, and what
     /// comes in has the wind's velocity and ambient temperature. Where the wind blows in, it
     /// pushes with its ram pressure, so that the box takes on the wind within the time in which
     /// the wind crosses it.
     Open,
-    /// Air enters (or leaves) with exactly the wind's velocity, at ambient temperature.
+    /// Air enters (or leaves) with a given velocity: the wind's, or what
+    /// [`crate::Fluid::set_side_velocity`] says for each face. It enters at ambient temperature.
     Inflow,
+    /// What leaves here enters at the opposite side, which must be periodic too.
+    Periodic,
 }
 
 impl Side {
     /// Whether the velocity through the face is given, so that the pressure has no say in it.
     pub(crate) fn fixes_flow(self) -> bool {
-        self != Side::Open
+        !matches!(self, Side::Open | Side::Periodic)
     }
 
     /// Whether air can come from outside.
@@ -46,7 +50,9 @@ pub struct Sides {
 
 impl Sides {
     /// Walls without friction all around. The default.
-    pub const CLOSED: Self = Self::all(Side::Closed);
+    pub const CLOSED: Self = Self::all(Side::FreeSlip);
+    /// Periodic along all axes.
+    pub const PERIODIC: Self = Self::all(Side::Periodic);
     /// Free air all around.
     pub const OPEN: Self = Self::all(Side::Open);
 

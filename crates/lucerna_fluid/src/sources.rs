@@ -20,15 +20,15 @@ impl Fluid {
         check_point(point)?;
         let acceleration = check_acceleration(acceleration_m_s2)?.to_array();
         let Some([i, j, k]) = self.grid.cell_of_point(point) else { return Ok(()) };
-        for (axis, field) in self.sources.acceleration.iter_mut().enumerate() {
-            let [nx, ny, _] = field.counts;
+        let counts = [0, 1, 2].map(|axis| self.grid.face_counts(axis));
+        for (axis, values) in self.accelerations().iter_mut().enumerate() {
+            let [nx, ny, _] = counts[axis];
             let low = i + nx * (j + ny * k);
             let stride = [1, nx, nx * ny][axis];
             for at in [low, low + stride] {
-                field.data[at] = add_clamped(field.data[at], 0.5 * acceleration[axis], MAX_ACCELERATION_M_S2);
+                values[at] = add_clamped(values[at], 0.5 * acceleration[axis], MAX_ACCELERATION_M_S2);
             }
         }
-        self.sources.has_acceleration = true;
         Ok(())
     }
 
@@ -43,15 +43,23 @@ impl Fluid {
             return Err(FluidError::Row { row: j, rows });
         }
         let acceleration = check_acceleration(Vec3::new(0.0, acceleration_m_s2, 0.0))?.y;
-        let field = &mut self.sources.acceleration[1];
-        let [nx, ny, _] = field.counts;
-        for plane in field.data.chunks_exact_mut(nx * ny) {
+        let [nx, ny, _] = self.grid.face_counts(1);
+        for plane in self.accelerations()[1].chunks_exact_mut(nx * ny) {
             for value in &mut plane[j * nx..(j + 2) * nx] {
                 *value = add_clamped(*value, 0.5 * acceleration, MAX_ACCELERATION_M_S2);
             }
         }
-        self.sources.has_acceleration = true;
         Ok(())
+    }
+
+    /// The accelerations by axis, of the faces' sizes, about to be added to.
+    fn accelerations(&mut self) -> &mut [Vec<f32>; 3] {
+        let sources = &mut self.sources;
+        sources.has_acceleration = true;
+        for (axis, values) in sources.acceleration.iter_mut().enumerate() {
+            values.resize(self.grid.face_counts(axis).iter().product(), 0.0);
+        }
+        &mut sources.acceleration
     }
 
     /// Heats a smooth ball during the coming step: `kelvin_per_s` (within ±1e6, negative cools)
@@ -63,6 +71,7 @@ impl Fluid {
     pub fn add_heat(&mut self, point: Vec3, radius_m: f32, kelvin_per_s: f32) -> Result<(), FluidError> {
         check_ball(point, radius_m)?;
         let rate = check("kelvin_per_s", kelvin_per_s, -1.0e6, 1.0e6, "within ±1e6 K/s")?;
+        self.sources.heat.resize(self.grid.count(), 0.0);
         add_ball(&self.grid, &mut self.sources.heat, point, radius_m, rate, 1.0e7);
         self.sources.has_heat = true;
         Ok(())
@@ -77,6 +86,7 @@ impl Fluid {
     pub fn add_expansion(&mut self, point: Vec3, radius_m: f32, rate_per_s: f32) -> Result<(), FluidError> {
         check_ball(point, radius_m)?;
         let rate = check("rate_per_s", rate_per_s, -1.0e4, 1.0e4, "within ±1e4 1/s")?;
+        self.sources.expansion.resize(self.grid.count(), 0.0);
         add_ball(&self.grid, &mut self.sources.expansion, point, radius_m, rate, 1.0e4);
         self.sources.has_expansion = true;
         Ok(())
@@ -134,13 +144,16 @@ impl Fluid {
     /// # Errors
     /// A value that is not finite or out of range; nothing has changed then.
     pub fn fill_velocity(&mut self, velocity_m_s: impl Fn(Vec3) -> Vec3) -> Result<(), FluidError> {
-        for (axis, field) in self.next_velocity.iter_mut().enumerate() {
-            fill(&self.grid, field, |point| {
-                let value = velocity_m_s(point).to_array()[axis];
-                check("velocity_m_s", value, -MAX_SPEED_M_S, MAX_SPEED_M_S, "components within ±300 m/s")
-            })?;
-        }
-        std::mem::swap(&mut self.velocity, &mut self.next_velocity);
+        self.with_scratch(|fluid, scratch| {
+            for (axis, field) in scratch.next_velocity.iter_mut().enumerate() {
+                fill(&fluid.grid, field, |point| {
+                    let value = velocity_m_s(point).to_array()[axis];
+                    check("velocity_m_s", value, -MAX_SPEED_M_S, MAX_SPEED_M_S, "components within ±300 m/s")
+                })?;
+            }
+            std::mem::swap(&mut fluid.state.velocity, &mut scratch.next_velocity);
+            Ok(())
+        })?;
         self.settle();
         Ok(())
     }
@@ -152,11 +165,13 @@ impl Fluid {
     /// A value that is not finite or out of range; nothing has changed then.
     pub fn fill_temperature(&mut self, kelvin: impl Fn(Vec3) -> f32) -> Result<(), FluidError> {
         let lowest_k = -0.9 * self.settings.ambient_k;
-        fill(&self.grid, &mut self.next_temperature, |point| {
-            check("kelvin", kelvin(point), lowest_k, MAX_TEMPERATURE_K, "-0.9 times ambient to 1e4 K")
-        })?;
-        std::mem::swap(&mut self.temperature, &mut self.next_temperature);
-        Ok(())
+        self.with_scratch(|fluid, scratch| {
+            fill(&fluid.grid, &mut scratch.next_temperature, |point| {
+                check("kelvin", kelvin(point), lowest_k, MAX_TEMPERATURE_K, "-0.9 times ambient to 1e4 K")
+            })?;
+            std::mem::swap(&mut fluid.state.temperature, &mut scratch.next_temperature);
+            Ok(())
+        })
     }
 }
 

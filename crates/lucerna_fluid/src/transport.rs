@@ -25,10 +25,17 @@ pub(crate) fn transport(
     partials: &mut [Partial],
 ) {
     let per_speed = grid.cell_m.map(|edge| dt_s / edge);
-    let exchanged = reduce_planes(grid.is_parallel, &mut spare.data, grid.plane(), partials, |k, out| {
-        inflow_plane(grid, velocity, per_speed, k, out);
-        Partial { max: max_abs(out), ..Partial::default() }
-    });
+    let exchanged = reduce_planes(
+        grid.exec,
+        &mut spare.data,
+        grid.plane(),
+        partials,
+        #[inline(always)]
+        |k, out| {
+            inflow_plane(grid, velocity, per_speed, k, out);
+            Partial { max: max_abs(out), ..Partial::default() }
+        },
+    );
     let exchanged = exchanged.max;
     // Below one, so that rounding cannot overshoot.
     let parts = (exchanged / 0.99).ceil().clamp(1.0, MAX_HEAT_STEPS);
@@ -36,14 +43,21 @@ pub(crate) fn transport(
     let per_speed = per_speed.map(|per_speed| per_speed * scale);
     for _ in 0..parts as usize {
         let from: &Field = temperature;
-        for_planes(grid.is_parallel, &mut spare.data, grid.plane(), |k, out| {
-            carry_plane(grid, velocity, per_speed, from, k, out);
-        });
+        for_planes(
+            grid.exec,
+            &mut spare.data,
+            grid.plane(),
+            #[inline(always)]
+            |k, out| {
+                carry_plane(grid, velocity, per_speed, from, k, out);
+            },
+        );
         std::mem::swap(temperature, spare);
     }
 }
 
 /// The rows of velocities around a row of cells: low and high faces along x, y and z.
+#[inline(always)]
 fn face_rows<'a>(grid: &Grid, velocity: &'a [Field; 3], j: usize, k: usize) -> [&'a [f32]; 6] {
     let [nx, ny, _] = grid.cells;
     let [u, v, w] = velocity;
@@ -55,6 +69,7 @@ fn face_rows<'a>(grid: &Grid, velocity: &'a [Field; 3], j: usize, k: usize) -> [
 }
 
 /// Fills `out` with the share of each cell's air that enters it.
+#[inline(always)]
 fn inflow_plane(grid: &Grid, velocity: &[Field; 3], per_speed: [f32; 3], k: usize, out: &mut [f32]) {
     for (j, out) in out.chunks_exact_mut(grid.cells[0]).enumerate() {
         let [u_low, u_high, v_low, v_high, w_low, w_high] = face_rows(grid, velocity, j, k);
@@ -67,6 +82,7 @@ fn inflow_plane(grid: &Grid, velocity: &[Field; 3], per_speed: [f32; 3], k: usiz
 }
 
 /// Carries one plane.
+#[inline(always)]
 fn carry_plane(grid: &Grid, velocity: &[Field; 3], per_speed: [f32; 3], from: &Field, k: usize, out: &mut [f32]) {
     let [nx, ny, nz] = grid.cells;
     let row = |j: usize, k: usize| &from.data[nx * (j + ny * k)..][..nx];
@@ -98,7 +114,7 @@ fn carry_plane(grid: &Grid, velocity: &[Field; 3], per_speed: [f32; 3], from: &F
     }
 }
 
-#[inline]
+#[inline(always)]
 fn positive(value: f32) -> f32 {
     if value > 0.0 { value } else { 0.0 }
 }

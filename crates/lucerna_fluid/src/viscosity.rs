@@ -49,8 +49,8 @@ impl Line {
                     }
                 } else {
                     match side {
-                        Side::Closed | Side::Open => diagonal -= r,
-                        Side::ClosedNoSlip => diagonal += r,
+                        Side::FreeSlip | Side::Open | Side::Periodic => diagonal -= r,
+                        Side::NoSlip => diagonal += r,
                         Side::Inflow => {
                             diagonal += r;
                             line.added[end] = (2.0 * r) as f32 * wind;
@@ -74,15 +74,22 @@ pub(crate) fn diffuse(grid: &Grid, velocity: &mut [Field; 3], viscosity_dt: f64,
         let [nx, ny, _] = field.counts;
         let line = |along: usize| Line::new(grid, component, along, viscosity_dt, wind[component]);
         let (along_x, along_y, along_z) = (line(0), line(1), line(2));
-        for_planes(grid.is_parallel, &mut field.data, nx * ny, |_, plane| {
-            plane.chunks_exact_mut(nx).for_each(|row| solve_rows(row, 1, &along_x));
-            solve_rows(plane, nx, &along_y);
-        });
+        for_planes(
+            grid.exec,
+            &mut field.data,
+            nx * ny,
+            #[inline(always)]
+            |_, plane| {
+                plane.chunks_exact_mut(nx).for_each(|row| solve_rows(row, 1, &along_x));
+                solve_rows(plane, nx, &along_y);
+            },
+        );
         solve_rows(&mut field.data, nx * ny, &along_z);
     }
 }
 
 /// Solves the systems that run across consecutive runs of `width` values.
+#[inline(always)]
 fn solve_rows(values: &mut [f32], width: usize, line: &Line) {
     let count = values.len() / width;
     let [low, high] = line.added;

@@ -4,7 +4,7 @@
 use super::basis::{Basis, ends};
 use super::gemm::multiply;
 use crate::grid::Grid;
-use crate::parallel::for_planes;
+use crate::parallel::{Execution, for_planes};
 
 /// Planes of the transform along z that are computed together.
 const PLANE_GROUP: usize = 4;
@@ -50,19 +50,37 @@ impl DirectSolver {
     pub(crate) fn solve(&self, grid: &Grid, values: &mut [f32], spare: &mut [f32]) {
         let [nx, ny, nz] = grid.cells;
         let plane = nx * ny;
-        let is_parallel = grid.is_parallel;
-        for_planes(is_parallel, spare, plane, |k, out| {
-            multiply(out, &values[k * plane..(k + 1) * plane], &self.along_x.synthesis, nx, nx);
-        });
-        transform_z(is_parallel, values, &self.along_z.analysis, spare, nz, plane);
-        for_planes(is_parallel, values, plane, |kz, modes| {
-            let reciprocals = &self.reciprocal_pivots[kz * plane..(kz + 1) * plane];
-            solve_columns(modes, reciprocals, self.coupling, nx);
-        });
-        transform_z(is_parallel, spare, &self.along_z.synthesis, values, nz, plane);
-        for_planes(is_parallel, values, plane, |k, out| {
-            multiply(out, &spare[k * plane..(k + 1) * plane], &self.along_x.analysis, nx, nx);
-        });
+        let exec = grid.exec;
+        for_planes(
+            exec,
+            spare,
+            plane,
+            #[inline(always)]
+            |k, out| {
+                multiply(out, &values[k * plane..(k + 1) * plane], &self.along_x.synthesis, nx, nx);
+            },
+        );
+        transform_z(exec, values, &self.along_z.analysis, spare, nz, plane);
+        for_planes(
+            exec,
+            values,
+            plane,
+            #[inline(always)]
+            |kz, modes| {
+                let reciprocals = &self.reciprocal_pivots[kz * plane..(kz + 1) * plane];
+                solve_columns(modes, reciprocals, self.coupling, nx);
+            },
+        );
+        transform_z(exec, spare, &self.along_z.synthesis, values, nz, plane);
+        for_planes(
+            exec,
+            values,
+            plane,
+            #[inline(always)]
+            |k, out| {
+                multiply(out, &spare[k * plane..(k + 1) * plane], &self.along_x.analysis, nx, nx);
+            },
+        );
     }
 }
 
@@ -77,13 +95,20 @@ fn neighbour_weight(is_inside: bool, is_fixed: bool) -> f64 {
 }
 
 /// A matrix applied across the planes.
-fn transform_z(is_parallel: bool, out: &mut [f32], matrix: &[f32], values: &[f32], nz: usize, plane: usize) {
-    for_planes(is_parallel, out, PLANE_GROUP * plane, |group, planes| {
-        multiply(planes, &matrix[group * PLANE_GROUP * nz..], values, nz, plane);
-    });
+fn transform_z(exec: Execution, out: &mut [f32], matrix: &[f32], values: &[f32], nz: usize, plane: usize) {
+    for_planes(
+        exec,
+        out,
+        PLANE_GROUP * plane,
+        #[inline(always)]
+        |group, planes| {
+            multiply(planes, &matrix[group * PLANE_GROUP * nz..], values, nz, plane);
+        },
+    );
 }
 
 /// Thomas's algorithm for all columns of a plane at once, in place, for the negated system.
+#[inline(always)]
 fn solve_columns(values: &mut [f32], reciprocals: &[f32], coupling: f32, nx: usize) {
     let rows = values.len() / nx;
     for (value, reciprocal) in values.iter_mut().zip(&reciprocals[..nx]) {

@@ -6,6 +6,7 @@ const COLUMNS: usize = 8;
 
 /// `out[r][c] = sum over i of a[r][i] * b[i][c]`, with `inner` values a row of `a` and
 /// `columns` a row of `b` and `out`.
+#[inline(always)]
 pub(crate) fn multiply(out: &mut [f32], a: &[f32], b: &[f32], inner: usize, columns: usize) {
     let rows = out.len() / columns;
     let mut row = 0;
@@ -23,6 +24,7 @@ pub(crate) fn multiply(out: &mut [f32], a: &[f32], b: &[f32], inner: usize, colu
 }
 
 /// `R` rows of the product.
+#[inline(always)]
 fn band<const R: usize>(out: &mut [f32], a: &[f32], b: &[f32], inner: usize, columns: usize) {
     let mut column = 0;
     while column < columns {
@@ -38,7 +40,7 @@ fn band<const R: usize>(out: &mut [f32], a: &[f32], b: &[f32], inner: usize, col
 }
 
 /// `R` rows by `C` columns of the product, summed in registers.
-#[inline]
+#[inline(always)]
 fn block<const R: usize, const C: usize>(
     out: &mut [f32],
     a: &[f32],

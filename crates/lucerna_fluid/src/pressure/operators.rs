@@ -12,36 +12,55 @@ pub(crate) fn subtract_gradient(grid: &Grid, potential: &[f32], velocity: &mut [
     let inverse = grid.cell_m.map(|edge| 1.0 / edge);
     let is_open = grid.sides.map(|sides| sides.map(|side| !side.fixes_flow()));
     let [u, v, w] = velocity;
-    for_planes(grid.is_parallel, &mut u.data, (nx + 1) * ny, |k, out| {
-        let rows = potential[k * plane..(k + 1) * plane].chunks_exact(nx);
-        for (out, row) in out.chunks_exact_mut(nx + 1).zip(rows) {
-            for (value, pair) in out[1..nx].iter_mut().zip(row.windows(2)) {
-                *value -= (pair[1] - pair[0]) * inverse[0];
+    for_planes(
+        grid.exec,
+        &mut u.data,
+        (nx + 1) * ny,
+        #[inline(always)]
+        |k, out| {
+            let rows = potential[k * plane..(k + 1) * plane].chunks_exact(nx);
+            for (out, row) in out.chunks_exact_mut(nx + 1).zip(rows) {
+                for (value, pair) in out[1..nx].iter_mut().zip(row.windows(2)) {
+                    *value -= (pair[1] - pair[0]) * inverse[0];
+                }
+                if is_open[0][0] {
+                    out[0] -= 2.0 * row[0] * inverse[0];
+                }
+                if is_open[0][1] {
+                    out[nx] += 2.0 * row[nx - 1] * inverse[0];
+                }
             }
-            if is_open[0][0] {
-                out[0] -= 2.0 * row[0] * inverse[0];
+        },
+    );
+    for_planes(
+        grid.exec,
+        &mut v.data,
+        nx * (ny + 1),
+        #[inline(always)]
+        |k, out| {
+            let values = &potential[k * plane..(k + 1) * plane];
+            let row = |j: usize| &values[j * nx..(j + 1) * nx];
+            for (j, out) in out.chunks_exact_mut(nx).enumerate() {
+                let (low, high) = (row(j.saturating_sub(1)), row(j.min(ny - 1)));
+                subtract_row(out, low, high, inverse[1], j, ny, is_open[1]);
             }
-            if is_open[0][1] {
-                out[nx] += 2.0 * row[nx - 1] * inverse[0];
-            }
-        }
-    });
-    for_planes(grid.is_parallel, &mut v.data, nx * (ny + 1), |k, out| {
-        let values = &potential[k * plane..(k + 1) * plane];
-        let row = |j: usize| &values[j * nx..(j + 1) * nx];
-        for (j, out) in out.chunks_exact_mut(nx).enumerate() {
-            let (low, high) = (row(j.saturating_sub(1)), row(j.min(ny - 1)));
-            subtract_row(out, low, high, inverse[1], j, ny, is_open[1]);
-        }
-    });
-    for_planes(grid.is_parallel, &mut w.data, plane, |k, out| {
-        let values = |k: usize| &potential[k * plane..(k + 1) * plane];
-        let (low, high) = (values(k.saturating_sub(1)), values(k.min(nz - 1)));
-        subtract_row(out, low, high, inverse[2], k, nz, is_open[2]);
-    });
+        },
+    );
+    for_planes(
+        grid.exec,
+        &mut w.data,
+        plane,
+        #[inline(always)]
+        |k, out| {
+            let values = |k: usize| &potential[k * plane..(k + 1) * plane];
+            let (low, high) = (values(k.saturating_sub(1)), values(k.min(nz - 1)));
+            subtract_row(out, low, high, inverse[2], k, nz, is_open[2]);
+        },
+    );
 }
 
 /// Subtracts the gradient across the faces number `index` of an axis with `count` cells.
+#[inline(always)]
 fn subtract_row(
     out: &mut [f32],
     low: &[f32],
@@ -63,6 +82,7 @@ fn subtract_row(
 }
 
 /// Divergence of a z-plane of cells, 1/s.
+#[inline(always)]
 pub(crate) fn divergence_plane(grid: &Grid, velocity: &[Field; 3], k: usize, out: &mut [f32]) {
     let [nx, ny, _] = grid.cells;
     let plane = nx * ny;
@@ -90,6 +110,6 @@ pub(crate) fn speeds(grid: &Grid, velocity: &[Field; 3], partials: &mut [Partial
         let field = &velocity[axis];
         let plane = field.plane();
         let largest = |k| Partial { max: max_abs(&field.data[k * plane..(k + 1) * plane]), ..Partial::default() };
-        reduce(grid.is_parallel, &mut partials[..field.counts[2]], largest).max
+        reduce(grid.exec, &mut partials[..field.counts[2]], largest).max
     })
 }

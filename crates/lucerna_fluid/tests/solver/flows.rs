@@ -83,8 +83,8 @@ fn viscosity_damps_as_it_should() {
 #[test]
 fn friction_at_the_walls_makes_a_parabola() {
     let (nx, ny) = (16, 32);
-    let no_slip = [Side::ClosedNoSlip; 2];
-    let sides = Sides { x: no_slip, y: [Side::Inflow, Side::Open], z: [Side::Closed; 2] };
+    let no_slip = [Side::NoSlip; 2];
+    let sides = Sides { x: no_slip, y: [Side::Inflow, Side::Open], z: [Side::FreeSlip; 2] };
     let builder = Fluid::builder([nx, ny, 2]).size_m(Vec3::new(1.0, 2.0, 0.125)).sides(sides);
     let mut fluid = builder.viscosity_m2_s(0.5).wind(Vec3::Y).build().unwrap();
     for _ in 0..400 {

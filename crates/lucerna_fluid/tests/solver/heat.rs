@@ -16,7 +16,7 @@ fn a_uniformly_hot_closed_box_stays_at_rest() {
 
 #[test]
 fn a_centred_plume_stays_mirror_symmetric() {
-    let sides = Sides { y: [Side::Closed, Side::Open], ..Sides::OPEN };
+    let sides = Sides { y: [Side::FreeSlip, Side::Open], ..Sides::OPEN };
     for n in [15, 16, 30] {
         let mut fluid = Fluid::builder([n; 3]).sides(sides).vorticity_confinement(1.0).build().unwrap();
         for _ in 0..100 {
@@ -45,7 +45,7 @@ fn a_centred_plume_stays_mirror_symmetric() {
 #[test]
 fn a_plume_does_not_care_whether_the_number_of_cells_is_odd() {
     let top_speed = |n: usize| {
-        let sides = Sides { y: [Side::Closed, Side::Open], ..Sides::OPEN };
+        let sides = Sides { y: [Side::FreeSlip, Side::Open], ..Sides::OPEN };
         let mut fluid = Fluid::builder([n; 3]).sides(sides).build().unwrap();
         for _ in 0..200 {
             fluid.add_heat(Vec3::new(0.5, 0.15, 0.5), 0.2, 1000.0).unwrap();

@@ -15,7 +15,7 @@ fn the_builder_refuses_what_it_cannot_build() {
         Some(FluidError::AxisCells { axis: "x", cells: usize::MAX })
     );
     assert_eq!(Fluid::builder([512; 3]).build().err(), Some(FluidError::TooManyCells { cells: 512 * 512 * 512 }));
-    let one_way = Sides { x: [Side::Inflow, Side::Closed], ..Sides::CLOSED };
+    let one_way = Sides { x: [Side::Inflow, Side::FreeSlip], ..Sides::CLOSED };
     assert_eq!(good().sides(one_way).build().err(), Some(FluidError::NoOutlet { axis: "x" }));
     let refused = |builder: FluidBuilder, name: &str| match builder.build() {
         Err(FluidError::Value { field, .. }) => assert_eq!(field, name),

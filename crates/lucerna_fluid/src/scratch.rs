@@ -1,0 +1,34 @@
+//! Arrays that a step works in and nobody reads between steps.
+
+use crate::confinement::Confinement;
+use crate::field::Field;
+use crate::grid::Grid;
+use crate::parallel::Partial;
+
+/// Taken once; a step allocates nothing.
+pub(crate) struct Scratch {
+    pub(crate) next_velocity: [Field; 3],
+    pub(crate) next_temperature: Field,
+    /// The way that the air of each cell went; see [`crate::advect`].
+    pub(crate) trace: Vec<f32>,
+    pub(crate) confinement: Confinement,
+    pub(crate) divergence: Vec<f32>,
+    pub(crate) spare: Vec<f32>,
+    /// One a plane of faces.
+    pub(crate) partials: Vec<Partial>,
+}
+
+impl Scratch {
+    pub(crate) fn new(grid: &Grid) -> Self {
+        let count = grid.count();
+        Self {
+            next_velocity: std::array::from_fn(|axis| Field::on_faces(grid, axis)),
+            next_temperature: Field::at_centres(grid),
+            trace: vec![0.0; 3 * count],
+            confinement: Confinement::new(grid),
+            divergence: vec![0.0; count],
+            spare: vec![0.0; count],
+            partials: vec![Partial::default(); grid.cells[2] + 1],
+        }
+    }
+}

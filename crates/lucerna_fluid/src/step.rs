@@ -1,0 +1,130 @@
+//! One step: the stages in their order.
+
+use std::time::Instant;
+
+use crate::advect::{advect, trace_back};
+use crate::fluid::Fluid;
+use crate::forces;
+use crate::lanes::highest;
+use crate::parallel::{Partial, reduce};
+use crate::pressure::Projected;
+use crate::report::{StageTimes, StepReport};
+use crate::scratch::Scratch;
+use crate::transport::transport;
+use crate::viscosity::diffuse;
+
+/// Takes the time of each stage. There is no clock on bare WebAssembly: all times are zero.
+struct Clock(Option<Instant>);
+
+impl Clock {
+    fn start() -> Self {
+        Self((!cfg!(target_arch = "wasm32")).then(Instant::now))
+    }
+
+    /// Time since the last call, ms.
+    fn lap_ms(&mut self) -> f32 {
+        let Some(before) = self.0 else { return 0.0 };
+        let now = Instant::now();
+        self.0 = Some(now);
+        (now - before).as_secs_f32() * 1.0e3
+    }
+}
+
+impl Fluid {
+    pub(crate) fn advance(&mut self, scratch: &mut Scratch, dt_s: f32) -> StepReport {
+        let mut clock = Clock::start();
+        let mut times = StageTimes::default();
+        self.carry(scratch, dt_s);
+        times.advection_ms = clock.lap_ms();
+        self.push(scratch, dt_s);
+        times.forces_ms = clock.lap_ms();
+        self.rub(dt_s);
+        times.viscosity_ms = clock.lap_ms();
+        let projected = self.project(scratch, self.sources.has_expansion);
+        times.pressure_ms = clock.lap_ms();
+        self.sources.clear();
+        let mut report = self.report(scratch, dt_s, projected);
+        times.report_ms = clock.lap_ms();
+        report.times = times;
+        report
+    }
+
+    /// Moves velocity and temperature with the air; then heats and cools.
+    fn carry(&mut self, scratch: &mut Scratch, dt_s: f32) {
+        let Self { grid, state, .. } = self;
+        let Scratch { next_velocity, next_temperature, trace, partials, .. } = scratch;
+        let wind = self.settings.wind_m_s.to_array();
+        trace_back(grid, &state.velocity, dt_s, trace);
+        let mut allowed = forces::energy(grid, &state.velocity, partials);
+        for axis in 0..3 {
+            let (from, to) = (&state.velocity[axis], &mut next_velocity[axis]);
+            allowed += advect(grid, from, axis, trace, wind[axis], to, partials);
+        }
+        transport(grid, &state.velocity, dt_s, &mut state.temperature, next_temperature, partials);
+        std::mem::swap(&mut state.velocity, next_velocity);
+        forces::fix_sides(grid, &mut state.velocity, wind);
+        if !self.sources.has_expansion {
+            forces::limit_energy(grid, &mut state.velocity, allowed, partials);
+        }
+        let heat = self.sources.has_heat.then_some(self.sources.heat.as_slice());
+        let lowest_k = -0.9 * self.settings.ambient_k;
+        forces::heat_and_cool(grid, &mut state.temperature, heat, self.settings.cooling_per_s, lowest_k, dt_s);
+    }
+
+    /// Adds all that accelerates the air.
+    fn push(&mut self, scratch: &mut Scratch, dt_s: f32) {
+        let Self { grid, state, settings, sources, .. } = self;
+        let velocity = &mut state.velocity;
+        if settings.vorticity_confinement > 0.0 {
+            scratch.confinement.apply(grid, velocity, settings.vorticity_confinement, dt_s);
+        }
+        forces::buoyancy(grid, &mut velocity[1], &state.temperature, settings.ambient_k, dt_s);
+        if sources.has_acceleration {
+            for (field, acceleration) in velocity.iter_mut().zip(&sources.acceleration) {
+                forces::accelerate(grid, field, acceleration, dt_s);
+            }
+        }
+        velocity.iter_mut().for_each(|field| forces::clamp_speed(grid, field));
+        forces::push_wind(grid, velocity, settings.wind_m_s.to_array(), dt_s);
+    }
+
+    /// Lets viscosity act, and sets the flow through the sides.
+    fn rub(&mut self, dt_s: f32) {
+        let Self { grid, state, settings, .. } = self;
+        let wind = settings.wind_m_s.to_array();
+        if settings.viscosity_m2_s > 0.0 {
+            let viscosity_dt = f64::from(settings.viscosity_m2_s) * f64::from(dt_s);
+            forces::fix_sides(grid, &mut state.velocity, wind);
+            diffuse(grid, &mut state.velocity, viscosity_dt, wind);
+        }
+        forces::fix_sides(grid, &mut state.velocity, wind);
+    }
+
+    fn report(&mut self, scratch: &mut Scratch, dt_s: f32, projected: Projected) -> StepReport {
+        let Self { grid, state, .. } = self;
+        let plane = grid.plane();
+        let max_temperature_k = reduce(
+            grid.exec,
+            &mut scratch.partials[..grid.cells[2]],
+            #[inline(always)]
+            |k| Partial { max: highest(&state.temperature.data[k * plane..(k + 1) * plane]), ..Partial::default() },
+        )
+        .max;
+        let max_speed_m_s = projected.speeds.into_iter().fold(0.0, f32::max);
+        self.max_speed_m_s = max_speed_m_s;
+        let speed = max_speed_m_s.max(projected.speed_before);
+        let relative = |rate: f32| if speed > 0.0 { rate * grid.shortest_m() / speed } else { 0.0 };
+        let crossed = projected.speeds.into_iter().zip(grid.cell_m).map(|(speed, edge)| speed * dt_s / edge);
+        StepReport {
+            dt_s,
+            pressure_residual: projected.residual,
+            divergence_before: relative(projected.max_before),
+            divergence_after: relative(projected.max_after),
+            divergence_after_per_s: projected.max_after,
+            max_speed_m_s,
+            cfl: crossed.fold(0.0, f32::max),
+            max_temperature_k,
+            ..StepReport::default()
+        }
+    }
+}
