@@ -28,8 +28,8 @@ pub struct FluidBuilder {
 }
 
 impl Fluid {
-    /// Starts the description of a box of `[nx, ny, nz]` cells: 2 to 512 an axis, 16.7 million
-    /// in all. Unless said otherwise the box is 1 m along each edge, its low corner at zero, closed.
+    /// Starts the description of a box of `[nx, ny, nz]` cells: 2 to 512 an axis, or
+    /// exactly 1 along one axis for a flow in a plane; 16.7 million in all. Unless said otherwise the box is 1 m along each edge, its low corner at zero, closed.
     pub fn builder(cells: [usize; 3]) -> FluidBuilder {
         FluidBuilder {
             cells,
@@ -111,11 +111,7 @@ impl FluidBuilder {
     /// # Errors
     /// Cell counts, lengths or settings outside their ranges; inflow without an outlet.
     pub fn build(self) -> Result<Fluid, FluidError> {
-        for (axis, cells) in AXES.into_iter().zip(self.cells) {
-            if !(MIN_AXIS_CELLS..=MAX_AXIS_CELLS).contains(&cells) {
-                return Err(FluidError::AxisCells { axis, cells });
-            }
-        }
+        check_counts(self.cells, self.sides)?;
         let cells = self.cells.iter().product();
         if cells > MAX_CELLS {
             return Err(FluidError::TooManyCells { cells });
@@ -139,6 +135,24 @@ impl FluidBuilder {
         let grid = Grid::new(self.cells, self.origin, self.size_m, self.sides.by_axis());
         Ok(Fluid::new(grid, self.sides, settings, self.pressure))
     }
+}
+
+/// Two cells or more along each axis, or exactly one along one of them: a flow in a plane.
+fn check_counts(cells: [usize; 3], sides: Sides) -> Result<(), FluidError> {
+    let flat_axes = cells.into_iter().filter(|cells| *cells == 1).count();
+    for ((axis, cells), sides) in AXES.into_iter().zip(cells).zip(sides.by_axis()) {
+        let is_flat = cells == 1 && flat_axes == 1;
+        if !is_flat && !(MIN_AXIS_CELLS..=MAX_AXIS_CELLS).contains(&cells) {
+            return Err(FluidError::AxisCells { axis, cells });
+        }
+        if is_flat && sides != [Side::FreeSlip; 2] {
+            return Err(FluidError::FlatSides { axis });
+        }
+        if (sides[0] == Side::Periodic) != (sides[1] == Side::Periodic) {
+            return Err(FluidError::HalfPeriodic { axis });
+        }
+    }
+    Ok(())
 }
 
 /// One inflow side without an opposite one needs an open side, or air would have to vanish.

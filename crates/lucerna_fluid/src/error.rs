@@ -7,12 +7,24 @@ use crate::limits::{MAX_AXIS_CELLS, MAX_CELLS, MIN_AXIS_CELLS};
 #[non_exhaustive]
 pub enum FluidError {
     /// An axis has too few or too many cells.
-    #[error("{axis} has {cells} cells; allowed: {MIN_AXIS_CELLS} to {MAX_AXIS_CELLS}")]
+    #[error("{axis} has {cells} cells; allowed: {MIN_AXIS_CELLS} to {MAX_AXIS_CELLS}, or 1 along one axis")]
     AxisCells {
         /// Which axis: `x`, `y` or `z`.
         axis: &'static str,
         /// The number of cells asked for.
         cells: usize,
+    },
+    /// The axis along which there is one cell, so that nothing moves, has a side that lets air move.
+    #[error("the {axis} axis has one cell, and a side that is not free_slip; allowed: free_slip on both")]
+    FlatSides {
+        /// Which axis: `x`, `y` or `z`.
+        axis: &'static str,
+    },
+    /// Only one of two opposite sides is periodic.
+    #[error("the {axis} axis has one periodic side; allowed: both or none")]
+    HalfPeriodic {
+        /// Which axis: `x`, `y` or `z`.
+        axis: &'static str,
     },
     /// The grid as a whole has too many cells.
     #[error("the grid has {cells} cells; allowed: up to {MAX_CELLS}")]

@@ -8,7 +8,7 @@ const BAD: [f32; 3] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
 fn the_builder_refuses_what_it_cannot_build() {
     let good = || Fluid::builder([8, 8, 8]);
     assert!(good().build().is_ok());
-    assert_eq!(Fluid::builder([8, 1, 8]).build().err(), Some(FluidError::AxisCells { axis: "y", cells: 1 }));
+    assert_eq!(Fluid::builder([8, 1, 1]).build().err(), Some(FluidError::AxisCells { axis: "y", cells: 1 }));
     assert_eq!(Fluid::builder([8, 8, 513]).build().err(), Some(FluidError::AxisCells { axis: "z", cells: 513 }));
     assert_eq!(
         Fluid::builder([usize::MAX, 8, 8]).build().err(),

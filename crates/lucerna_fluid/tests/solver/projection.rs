@@ -17,15 +17,15 @@ const SIZES: [[usize; 3]; 9] = [
 ];
 
 fn sides() -> Vec<Sides> {
-    use Side::{Closed, ClosedNoSlip, Inflow, Open};
+    use Side::{FreeSlip, Inflow, NoSlip, Open};
     vec![
         Sides::CLOSED,
         Sides::OPEN,
-        Sides { y: [Closed, Open], ..Sides::OPEN },
-        Sides { y: [ClosedNoSlip, Open], ..Sides::CLOSED },
+        Sides { y: [FreeSlip, Open], ..Sides::OPEN },
+        Sides { y: [NoSlip, Open], ..Sides::CLOSED },
         Sides { x: [Inflow, Open], ..Sides::CLOSED },
         Sides { x: [Inflow, Inflow], ..Sides::CLOSED },
-        Sides { x: [Open, Closed], y: [Open, ClosedNoSlip], z: [Closed, Open] },
+        Sides { x: [Open, FreeSlip], y: [Open, NoSlip], z: [FreeSlip, Open] },
     ]
 }
 
