@@ -1,79 +1,17 @@
 //! What changes temperature and velocity in place: heat, cooling, buoyancy, accelerations,
 //! sides, and the bound on energy.
 
+mod heat;
+mod push;
+
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::lanes::sum_squares;
-use crate::limits::{BUOYANCY_RATIO, GRAVITY_M_S2, MAX_SPEED_M_S, MAX_TEMPERATURE_K};
+use crate::limits::MAX_SPEED_M_S;
 use crate::parallel::{Partial, for_planes, reduce};
 use crate::sides::Side;
-
-/// Heats by `heat` (K/s), cools by the exact exponential of `cooling_per_s`, and clamps.
-pub(crate) fn heat_and_cool(
-    grid: &Grid,
-    temperature: &mut Field,
-    heat: Option<&[f32]>,
-    cooling_per_s: f32,
-    lowest_k: f32,
-    dt_s: f32,
-) {
-    let plane = grid.plane();
-    let keep = (-cooling_per_s * dt_s).exp();
-    for_planes(
-        grid.exec,
-        &mut temperature.data,
-        plane,
-        #[inline(always)]
-        |k, out| {
-            if let Some(heat) = heat {
-                let rates = &heat[k * plane..(k + 1) * plane];
-                for (value, rate) in out.iter_mut().zip(rates) {
-                    *value = (*value + dt_s * rate).max(lowest_k).min(MAX_TEMPERATURE_K);
-                }
-            }
-            if keep != 1.0 {
-                out.iter_mut().for_each(|value| *value *= keep);
-            }
-        },
-    );
-}
-
-/// Adds `g dT / ambient` on the faces across y, `dT / ambient` clamped to -1..=10.
-pub(crate) fn buoyancy(grid: &Grid, v: &mut Field, temperature: &Field, ambient_k: f32, dt_s: f32) {
-    let [nx, ny, _] = grid.cells;
-    let (least, most) = BUOYANCY_RATIO;
-    let ratio = 0.5 / ambient_k;
-    for_planes(
-        grid.exec,
-        &mut v.data,
-        nx * (ny + 1),
-        #[inline(always)]
-        |k, out| {
-            let row = |j: usize| &temperature.data[nx * (j + ny * k)..][..nx];
-            for (j, out) in out.chunks_exact_mut(nx).enumerate() {
-                let (low, high) = (row(j.saturating_sub(1)), row(j.min(ny - 1)));
-                for ((value, low), high) in out.iter_mut().zip(low).zip(high) {
-                    *value += dt_s * GRAVITY_M_S2 * ((low + high) * ratio).max(least).min(most);
-                }
-            }
-        },
-    );
-}
-
-/// Adds accelerations that lie on the same faces.
-pub(crate) fn accelerate(grid: &Grid, field: &mut Field, acceleration: &[f32], dt_s: f32) {
-    let plane = field.plane();
-    for_planes(
-        grid.exec,
-        &mut field.data,
-        plane,
-        #[inline(always)]
-        |k, out| {
-            let rates = &acceleration[k * plane..(k + 1) * plane];
-            out.iter_mut().zip(rates).for_each(|(value, rate)| *value += dt_s * rate);
-        },
-    );
-}
+pub(crate) use heat::heat_and_cool;
+pub(crate) use push::{accelerate, buoyancy};
 
 /// Clamps each face velocity to the greatest speed.
 pub(crate) fn clamp_speed(grid: &Grid, field: &mut Field) {

@@ -46,7 +46,7 @@ mod report;
 mod scratch;
 mod sides;
 mod simd;
-mod sources;
+mod source;
 mod step;
 mod transport;
 mod viscosity;

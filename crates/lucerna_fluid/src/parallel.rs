@@ -43,14 +43,14 @@ pub(crate) fn for_planes<T: Send>(
             exec.simd.run(
                 #[inline(always)]
                 || work(k, values),
-            )
+            );
         });
     } else {
         data.chunks_mut(plane).enumerate().for_each(|(k, values)| {
             exec.simd.run(
                 #[inline(always)]
                 || work(k, values),
-            )
+            );
         });
     }
 }
@@ -70,7 +70,7 @@ pub(crate) fn reduce_planes<T: Send>(
             *partial = exec.simd.run(
                 #[inline(always)]
                 || work(k, values),
-            )
+            );
         });
     } else {
         let planes = data.chunks_mut(plane).zip(partials.iter_mut()).enumerate();
@@ -78,7 +78,7 @@ pub(crate) fn reduce_planes<T: Send>(
             *partial = exec.simd.run(
                 #[inline(always)]
                 || work(k, values),
-            )
+            );
         });
     }
     Partial::combine(&partials[..planes])

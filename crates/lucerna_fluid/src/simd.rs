@@ -18,6 +18,7 @@ impl Simd {
     }
 
     /// What every machine of the target has: SSE2 on x86-64.
+    #[allow(dead_code, reason = "what every level is to be compared with")]
     pub(crate) fn baseline() -> Self {
         Self(None)
     }

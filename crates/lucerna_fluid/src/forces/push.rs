@@ -1,0 +1,43 @@
+//! What accelerates the air: buoyancy, and what a caller adds.
+
+use crate::field::Field;
+use crate::grid::Grid;
+use crate::limits::{BUOYANCY_RATIO, GRAVITY_M_S2};
+use crate::parallel::for_planes;
+
+/// Adds `g dT / ambient` on the faces across y, `dT / ambient` clamped to -1..=10.
+pub(crate) fn buoyancy(grid: &Grid, v: &mut Field, temperature: &Field, ambient_k: f32, dt_s: f32) {
+    let [nx, ny, _] = grid.cells;
+    let (least, most) = BUOYANCY_RATIO;
+    let ratio = 0.5 / ambient_k;
+    for_planes(
+        grid.exec,
+        &mut v.data,
+        nx * (ny + 1),
+        #[inline(always)]
+        |k, out| {
+            let row = |j: usize| &temperature.data[nx * (j + ny * k)..][..nx];
+            for (j, out) in out.chunks_exact_mut(nx).enumerate() {
+                let (low, high) = (row(j.saturating_sub(1)), row(j.min(ny - 1)));
+                for ((value, low), high) in out.iter_mut().zip(low).zip(high) {
+                    *value += dt_s * GRAVITY_M_S2 * ((low + high) * ratio).max(least).min(most);
+                }
+            }
+        },
+    );
+}
+
+/// Adds accelerations that lie on the same faces.
+pub(crate) fn accelerate(grid: &Grid, field: &mut Field, acceleration: &[f32], dt_s: f32) {
+    let plane = field.plane();
+    for_planes(
+        grid.exec,
+        &mut field.data,
+        plane,
+        #[inline(always)]
+        |k, out| {
+            let rates = &acceleration[k * plane..(k + 1) * plane];
+            out.iter_mut().zip(rates).for_each(|(value, rate)| *value += dt_s * rate);
+        },
+    );
+}
