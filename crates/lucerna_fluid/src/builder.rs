@@ -1,12 +1,15 @@
 //! Setting up a fluid.
 
+use std::sync::Arc;
+
 use glam::Vec3;
 
 use crate::error::{FluidError, check, check_vec};
 use crate::fluid::{Fluid, Settings};
 use crate::grid::Grid;
 use crate::limits::{MAX_AXIS_CELLS, MAX_CELLS, MIN_AXIS_CELLS};
-use crate::pressure::PressureSolver;
+use crate::pressure::{PressureSolver, Tables};
+use crate::scratch::Scratch;
 use crate::sides::{Side, Sides};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -111,6 +114,25 @@ impl FluidBuilder {
     /// # Errors
     /// Cell counts, lengths or settings outside their ranges; inflow without an outlet.
     pub fn build(self) -> Result<Fluid, FluidError> {
+        let (grid, settings) = self.checked()?;
+        Ok(Fluid::new(grid, self.sides, settings, self.pressure))
+    }
+
+    /// Makes a box of a batch: it shares tables, and has no arrays of its own to step in.
+    pub(crate) fn build_in_batch(self, tables: &Arc<Tables>, scratch: &mut Scratch) -> Result<Fluid, FluidError> {
+        let (grid, settings) = self.checked()?;
+        let mut fluid = Fluid::unsettled(grid, self.sides, settings, self.pressure, Arc::clone(tables));
+        fluid.reset_with(scratch);
+        Ok(fluid)
+    }
+
+    /// Whether a fluid of the other description has the same tables and arrays of the same sizes.
+    pub(crate) fn is_same_shape(&self, other: &Self) -> bool {
+        (self.cells, self.size_m, self.sides, self.pressure) == (other.cells, other.size_m, other.sides, other.pressure)
+    }
+
+    /// Checks everything.
+    pub(crate) fn checked(&self) -> Result<(Grid, Settings), FluidError> {
         check_counts(self.cells, self.sides)?;
         let cells = self.cells.iter().product();
         if cells > MAX_CELLS {
@@ -133,7 +155,7 @@ impl FluidBuilder {
             check("pressure sweeps", sweeps as f32, 1.0, 1.0e4, "1 to 10000")?;
         }
         let grid = Grid::new(self.cells, self.origin, self.size_m, self.sides.by_axis());
-        Ok(Fluid::new(grid, self.sides, settings, self.pressure))
+        Ok((grid, settings))
     }
 }
 

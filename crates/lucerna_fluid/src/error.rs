@@ -58,6 +58,14 @@ pub enum FluidError {
         /// Which axis: `x`, `y` or `z`.
         axis: &'static str,
     },
+    /// A box of a batch has another shape than the first.
+    #[error(
+        "box {index} of the batch differs from the first; allowed: the same cells, size, sides and pressure solver"
+    )]
+    BatchShape {
+        /// Which box, counted from zero.
+        index: usize,
+    },
 }
 
 /// Refuses a number outside `low..=high`, or not a number.

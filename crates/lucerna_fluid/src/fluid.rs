@@ -79,12 +79,29 @@ pub struct Fluid {
 }
 
 impl Fluid {
+    /// At rest or with the wind, with tables and scratch arrays of its own.
     pub(crate) fn new(grid: Grid, sides: Sides, settings: Settings, pressure: PressureSolver) -> Self {
-        let mut fluid = Self {
+        let tables = Arc::new(Tables::new(&grid, pressure));
+        let scratch = Box::new(Scratch::new(&grid));
+        let mut fluid = Self::unsettled(grid, sides, settings, pressure, tables);
+        fluid.scratch = Some(scratch);
+        fluid.reset();
+        fluid
+    }
+
+    /// All zero, without scratch arrays.
+    pub(crate) fn unsettled(
+        grid: Grid,
+        sides: Sides,
+        settings: Settings,
+        pressure: PressureSolver,
+        tables: Arc<Tables>,
+    ) -> Self {
+        Self {
             sides,
             settings,
             pressure,
-            tables: Arc::new(Tables::new(&grid, pressure)),
+            tables,
             state: State {
                 velocity: std::array::from_fn(|axis| Field::on_faces(&grid, axis)),
                 temperature: Field::at_centres(&grid),
@@ -92,33 +109,34 @@ impl Fluid {
             },
             sources: Sources::default(),
             max_speed_m_s: 0.0,
-            scratch: Some(Box::new(Scratch::new(&grid))),
+            scratch: None,
             grid,
-        };
-        fluid.reset();
-        fluid
+        }
     }
 
     /// Back to the start: ambient temperature, the air moving with the wind as far as the sides
     /// allow, nothing added. Settings stay.
     pub fn reset(&mut self) {
+        self.with_scratch(Self::reset_with);
+    }
+
+    /// As [`Fluid::reset`], in arrays that fit.
+    pub(crate) fn reset_with(&mut self, scratch: &mut Scratch) {
         self.state.temperature.data.fill(0.0);
         self.state.potential.fill(0.0);
         self.sources.clear();
         for (field, wind) in self.state.velocity.iter_mut().zip(self.settings.wind_m_s.to_array()) {
             field.data.fill(wind);
         }
-        self.settle();
+        self.settle(scratch);
     }
 
     /// Makes the present velocity obey the sides, and free of divergence.
-    pub(crate) fn settle(&mut self) -> Projected {
-        self.with_scratch(|fluid, scratch| {
-            forces::fix_sides(&fluid.grid, &mut fluid.state.velocity, fluid.settings.wind_m_s.to_array());
-            let projected = fluid.project(scratch, false);
-            fluid.max_speed_m_s = projected.speeds.into_iter().fold(0.0, f32::max);
-            projected
-        })
+    pub(crate) fn settle(&mut self, scratch: &mut Scratch) -> Projected {
+        forces::fix_sides(&self.grid, &mut self.state.velocity, self.settings.wind_m_s.to_array());
+        let projected = self.project(scratch, false);
+        self.max_speed_m_s = projected.speeds.into_iter().fold(0.0, f32::max);
+        projected
     }
 
     /// Subtracts the gradient that leaves the divergence asked for.
@@ -135,9 +153,12 @@ impl Fluid {
         projection.project(&mut self.state.velocity, expansion, &mut self.state.potential)
     }
 
-    /// Calls `work` with the fluid's own scratch arrays, made now if it has none.
+    /// Calls `work` with the fluid's own scratch arrays; one that has none, in a batch, makes
+    /// them for this call.
     pub(crate) fn with_scratch<R>(&mut self, work: impl FnOnce(&mut Self, &mut Scratch) -> R) -> R {
-        let mut scratch = self.scratch.take().unwrap_or_else(|| Box::new(Scratch::new(&self.grid)));
+        let Some(mut scratch) = self.scratch.take() else {
+            return work(self, &mut Scratch::new(&self.grid));
+        };
         let result = work(self, &mut scratch);
         self.scratch = Some(scratch);
         result
@@ -149,14 +170,21 @@ impl Fluid {
     /// # Errors
     /// A length of step out of its range; nothing has changed then.
     pub fn step(&mut self, dt_s: f32) -> Result<StepReport, FluidError> {
-        check("dt_s", dt_s, f32::MIN_POSITIVE, MAX_DT_S, "above 0, up to 1e3 s")?;
-        Ok(self.with_scratch(|fluid, scratch| {
-            if fluid.grid.exec.is_parallel {
-                // Enter the thread pool once, not once for each pass over the planes.
-                rayon::scope(|_| fluid.advance(scratch, dt_s))
-            } else {
-                fluid.advance(scratch, dt_s)
-            }
-        }))
+        check_dt(dt_s)?;
+        Ok(self.with_scratch(|fluid, scratch| fluid.step_with(scratch, dt_s)))
     }
+
+    /// A step of a length that is in its range, in arrays that fit.
+    pub(crate) fn step_with(&mut self, scratch: &mut Scratch, dt_s: f32) -> StepReport {
+        if self.grid.exec.is_parallel {
+            // Enter the thread pool once, not once for each pass over the planes.
+            rayon::scope(|_| self.advance(scratch, dt_s))
+        } else {
+            self.advance(scratch, dt_s)
+        }
+    }
+}
+
+pub(crate) fn check_dt(dt_s: f32) -> Result<f32, FluidError> {
+    check("dt_s", dt_s, f32::MIN_POSITIVE, MAX_DT_S, "above 0, up to 1e3 s")
 }

@@ -30,6 +30,7 @@
 //! that a caller passes in makes it panic, and no value that is not a number gets into a field.
 
 mod advect;
+mod batch;
 mod builder;
 mod confinement;
 mod error;
@@ -51,6 +52,7 @@ mod step;
 mod transport;
 mod viscosity;
 
+pub use batch::FluidBatch;
 pub use builder::FluidBuilder;
 pub use error::FluidError;
 pub use fluid::Fluid;

@@ -70,10 +70,9 @@ impl Fluid {
                 })?;
             }
             std::mem::swap(&mut fluid.state.velocity, &mut scratch.next_velocity);
+            fluid.settle(scratch);
             Ok(())
-        })?;
-        self.settle();
-        Ok(())
+        })
     }
 
     /// Sets the temperature above ambient everywhere, K (-0.9 times ambient to 1e4), from its

@@ -1,5 +1,6 @@
 //! The solver against what it promises, through its public interface only.
 
+mod batch;
 mod flows;
 mod heat;
 mod inputs;

@@ -1,0 +1,43 @@
+//! How many small boxes are stepped in a millisecond: `cargo bench -p lucerna_fluid --bench batch`.
+
+use std::time::Instant;
+
+use lucerna_fluid::{Fluid, FluidBatch, Side, Sides, Vec3};
+
+fn main() {
+    // `cargo test --benches` only asks whether it runs.
+    let is_quick = !std::env::args().any(|argument| argument == "--bench");
+    let counts: &[usize] = if is_quick { &[8] } else { &[1, 100, 400, 1000] };
+    println!("boxes of 15^3 with a plume, dt = 1/60 s; box-steps per ms");
+    println!("{:>6} {:>12} {:>12} {:>12}", "boxes", "one thread", "two threads", "two / one");
+    for &count in counts {
+        let turns = if is_quick { 1 } else { (2000 / count).max(3) };
+        let one = on_threads(1, || run(count, turns));
+        let two = on_threads(2, || run(count, turns));
+        println!("{count:>6} {one:>12.2} {two:>12.2} {:>12.2}", two / one);
+    }
+}
+
+/// The most box-steps per ms in any turn.
+fn run(count: usize, turns: usize) -> f64 {
+    let flame = Fluid::builder([15; 3])
+        .size_m(Vec3::splat(0.3))
+        .sides(Sides { y: [Side::FreeSlip, Side::Open], ..Sides::OPEN });
+    let builders = (0..count).map(|index| flame.wind(0.001 * index as f32 * Vec3::X));
+    let mut batch = FluidBatch::new(builders).expect("small boxes");
+    let mut best = 0.0_f64;
+    for _ in 0..turns {
+        for fluid in &mut batch {
+            fluid.add_heat(Vec3::new(0.15, 0.03, 0.15), 0.04, 3000.0).expect("finite heat");
+        }
+        let start = Instant::now();
+        batch.step(1.0 / 60.0).expect("a valid step");
+        best = best.max(count as f64 / (start.elapsed().as_secs_f64() * 1.0e3));
+    }
+    best
+}
+
+fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+    pool.install(work)
+}
