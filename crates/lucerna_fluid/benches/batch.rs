@@ -23,7 +23,7 @@ fn run(count: usize, turns: usize) -> f64 {
     let flame = Fluid::builder([15; 3])
         .size_m(Vec3::splat(0.3))
         .sides(Sides { y: [Side::FreeSlip, Side::Open], ..Sides::OPEN });
-    let builders = (0..count).map(|index| flame.wind(0.001 * index as f32 * Vec3::X));
+    let builders = (0..count).map(|index| flame.clone().wind(0.001 * index as f32 * Vec3::X));
     let mut batch = FluidBatch::new(builders).expect("small boxes");
     let mut best = 0.0_f64;
     for _ in 0..turns {

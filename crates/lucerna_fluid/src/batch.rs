@@ -30,7 +30,7 @@ const CHUNK: usize = 4;
 ///
 /// # fn main() -> Result<(), lucerna_fluid::FluidError> {
 /// let torch = Fluid::builder([15; 3]).size_m(Vec3::splat(0.3)).sides(Sides::OPEN);
-/// let mut batch = FluidBatch::new((0..20).map(|i| torch.origin(Vec3::X * i as f32)))?;
+/// let mut batch = FluidBatch::new((0..20).map(|i| torch.clone().origin(Vec3::X * i as f32)))?;
 /// for (i, fluid) in batch.iter_mut().enumerate() {
 ///     fluid.add_heat(Vec3::new(i as f32 + 0.15, 0.05, 0.15), 0.05, 3000.0)?;
 /// }
@@ -59,8 +59,8 @@ impl FluidBuilder {
 }
 
 impl FluidBatch {
-    /// Makes a box for each description. All must have the same counts of cells, size, sides and
-    /// pressure solver; origin, wind and the other settings may differ.
+    /// Makes a box for each description. All must have the same counts of cells, size, sides,
+    /// pressure solver and names of scalars; origin, wind and the other settings may differ.
     ///
     /// # Errors
     /// As [`FluidBuilder::build`], and a box of another shape than the first.
@@ -69,7 +69,7 @@ impl FluidBatch {
         let Some(first) = builders.next() else {
             return Ok(Self { fluids: Vec::new(), reports: Vec::new(), scratch: Vec::new(), cells: [0; 3] });
         };
-        let fluid = first.build()?;
+        let fluid = first.clone().build()?;
         let tables: Arc<Tables> = Arc::clone(&fluid.tables);
         let cells = fluid.grid.cells;
         let mut scratch = Scratch::new(&fluid.grid);

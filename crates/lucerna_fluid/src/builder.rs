@@ -9,13 +9,14 @@ use crate::fluid::{Fluid, Settings};
 use crate::grid::Grid;
 use crate::limits::{MAX_AXIS_CELLS, MAX_CELLS, MIN_AXIS_CELLS};
 use crate::pressure::{PressureSolver, Tables};
+use crate::scalars::Scalars;
 use crate::scratch::Scratch;
 use crate::sides::{Side, Sides};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Describes a [`Fluid`]; [`FluidBuilder::build`] checks it all and makes it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 #[must_use]
 pub struct FluidBuilder {
     cells: [usize; 3],
@@ -28,6 +29,7 @@ pub struct FluidBuilder {
     ambient_k: f32,
     cooling_per_s: f32,
     pressure: PressureSolver,
+    scalars: Scalars,
 }
 
 impl Fluid {
@@ -45,6 +47,7 @@ impl Fluid {
             ambient_k: 293.15,
             cooling_per_s: 0.0,
             pressure: PressureSolver::Direct,
+            scalars: Scalars::default(),
         }
     }
 }
@@ -109,19 +112,33 @@ impl FluidBuilder {
         self
     }
 
+    /// Adds a named scalar that the air carries, up to 64 of them, such as soot; what comes in
+    /// from outside has none of it. Find it by [`Fluid::scalar_id`]. Default: none.
+    pub fn scalar(self, name: impl Into<String>) -> Self {
+        self.scalar_with_outside(name, 0.0)
+    }
+
+    /// As [`FluidBuilder::scalar`], with the value (within ±1e6) that the box starts with and that
+    /// comes in from outside, such as 0.23 for the mass fraction of oxygen.
+    pub fn scalar_with_outside(mut self, name: impl Into<String>, outside: f32) -> Self {
+        self.scalars.add(name.into(), outside);
+        self
+    }
+
     /// Makes the fluid: checks everything, then takes all the memory that its steps will use.
     ///
     /// # Errors
-    /// Cell counts, lengths or settings outside their ranges; inflow without an outlet.
+    /// Cell counts, lengths or settings outside their ranges; inflow without an outlet; names of
+    /// scalars that are empty or the same.
     pub fn build(self) -> Result<Fluid, FluidError> {
         let (grid, settings) = self.checked()?;
-        Ok(Fluid::new(grid, self.sides, settings, self.pressure))
+        Ok(Fluid::new(grid, self.sides, settings, self.pressure, self.scalars))
     }
 
     /// Makes a box of a batch: it shares tables, and has no arrays of its own to step in.
     pub(crate) fn build_in_batch(self, tables: &Arc<Tables>, scratch: &mut Scratch) -> Result<Fluid, FluidError> {
         let (grid, settings) = self.checked()?;
-        let mut fluid = Fluid::unsettled(grid, self.sides, settings, self.pressure, Arc::clone(tables));
+        let mut fluid = Fluid::unsettled(grid, self.sides, settings, self.pressure, self.scalars, Arc::clone(tables));
         fluid.reset_with(scratch);
         Ok(fluid)
     }
@@ -129,6 +146,7 @@ impl FluidBuilder {
     /// Whether a fluid of the other description has the same tables and arrays of the same sizes.
     pub(crate) fn is_same_shape(&self, other: &Self) -> bool {
         (self.cells, self.size_m, self.sides, self.pressure) == (other.cells, other.size_m, other.sides, other.pressure)
+            && self.scalars.names == other.scalars.names
     }
 
     /// Checks everything.
@@ -154,6 +172,7 @@ impl FluidBuilder {
         if let PressureSolver::GaussSeidel { sweeps } = self.pressure {
             check("pressure sweeps", sweeps as f32, 1.0, 1.0e4, "1 to 10000")?;
         }
+        self.scalars.check()?;
         let grid = Grid::new(self.cells, self.origin, self.size_m, self.sides.by_axis());
         Ok((grid, settings))
     }

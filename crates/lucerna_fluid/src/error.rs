@@ -1,6 +1,7 @@
 //! What can be wrong with what a caller asks for.
 
 use crate::limits::{MAX_AXIS_CELLS, MAX_CELLS, MIN_AXIS_CELLS};
+use crate::scalars::MAX_SCALARS;
 
 /// A request that was refused. The fluid is as it was before the call.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -50,6 +51,28 @@ pub enum FluidError {
         /// The number of rows, which is the number of cells along y.
         rows: usize,
     },
+    /// Too many named scalars.
+    #[error("{count} scalars; allowed: up to {MAX_SCALARS}")]
+    TooManyScalars {
+        /// The number of scalars asked for.
+        count: usize,
+    },
+    /// A scalar has a name that cannot be used.
+    #[error("the name of scalar {index} is {problem}; allowed: names that differ, none of them empty")]
+    ScalarName {
+        /// Which scalar, in the order in which they were given.
+        index: usize,
+        /// What is wrong with its name.
+        problem: &'static str,
+    },
+    /// A scalar of another fluid.
+    #[error("scalar {index} does not exist; allowed: below {count}")]
+    UnknownScalar {
+        /// The scalar asked for.
+        index: usize,
+        /// The number of scalars of this fluid.
+        count: usize,
+    },
     /// Wind enters by one side of an axis and can leave nowhere.
     #[error(
         "the {axis} axis has one inflow side and no side of the box is open; allowed: two inflow sides, or an open side anywhere"
@@ -60,7 +83,7 @@ pub enum FluidError {
     },
     /// A box of a batch has another shape than the first.
     #[error(
-        "box {index} of the batch differs from the first; allowed: the same cells, size, sides and pressure solver"
+        "box {index} of the batch differs from the first; allowed: the same cells, size, sides, pressure solver and names of scalars"
     )]
     BatchShape {
         /// Which box, counted from zero.

@@ -48,18 +48,20 @@ impl Field {
         let (whole_y, fy) = split(at[1], ny);
         let (whole_z, fz) = split(at[2], nz);
         let mut corners = [[0.0_f32; L]; 8];
+        // Along an axis with a single value there is no next one.
+        let [dx, dy, dz] = [(nx, 1), (ny, nx), (nz, plane)].map(|(count, step)| if count > 1 { step } else { 0 });
         for lane in 0..L {
             let base = whole_x[lane] as usize + nx * whole_y[lane] as usize + plane * whole_z[lane] as usize;
-            let low = &self.data[base..base + nx + 2];
-            let high = &self.data[base + plane..base + plane + nx + 2];
+            let low = &self.data[base..base + dy + dx + 1];
+            let high = &self.data[base + dz..base + dz + dy + dx + 1];
             corners[0][lane] = low[0];
-            corners[1][lane] = low[1];
-            corners[2][lane] = low[nx];
-            corners[3][lane] = low[nx + 1];
+            corners[1][lane] = low[dx];
+            corners[2][lane] = low[dy];
+            corners[3][lane] = low[dy + dx];
             corners[4][lane] = high[0];
-            corners[5][lane] = high[1];
-            corners[6][lane] = high[nx];
-            corners[7][lane] = high[nx + 1];
+            corners[5][lane] = high[dx];
+            corners[6][lane] = high[dy];
+            corners[7][lane] = high[dy + dx];
         }
         let [a, b, c, d, e, f, g, h] = corners;
         let low = mix(mix(a, b, fx), mix(c, d, fx), fy);
@@ -68,13 +70,34 @@ impl Field {
     }
 }
 
+/// Trilinear samples of four packed values a place, at `L` places counted from the first value.
+#[inline(always)]
+pub(crate) fn sample_packs<const L: usize>(pack: &[[f32; 4]], counts: [usize; 3], at: [[f32; L]; 3]) -> [[f32; 4]; L] {
+    let [nx, ny, nz] = counts;
+    let steps = [1, nx, nx * ny];
+    let (whole_x, fx) = split(at[0], nx);
+    let (whole_y, fy) = split(at[1], ny);
+    let (whole_z, fz) = split(at[2], nz);
+    let [dx, dy, dz] = [0, 1, 2].map(|axis| if counts[axis] > 1 { steps[axis] } else { 0 });
+    let mut out = [[0.0; 4]; L];
+    for lane in 0..L {
+        let base = whole_x[lane] as usize + nx * (whole_y[lane] as usize + ny * whole_z[lane] as usize);
+        let values = &pack[base..base + dx + dy + dz + 1];
+        let along_x = |at: usize| mix(values[at], values[at + dx], [fx[lane]; 4]);
+        let low = mix(along_x(0), along_x(dy), [fy[lane]; 4]);
+        let high = mix(along_x(dz), along_x(dz + dy), [fy[lane]; 4]);
+        out[lane] = mix(low, high, [fz[lane]; 4]);
+    }
+    out
+}
+
 /// Adding it to a number below 2^22 leaves the nearest whole number in the low bits.
 const TO_WHOLE: f32 = 12_582_912.0;
 
 /// Whole and fractional part of lattice coordinates, clamped so that the next value exists.
 #[inline(always)]
 fn split<const L: usize>(at: [f32; L], count: usize) -> ([u32; L], [f32; L]) {
-    let (last, last_whole) = ((count - 1) as f32, (count - 2) as f32);
+    let (last, last_whole) = ((count - 1) as f32, count.saturating_sub(2) as f32);
     let (mut wholes, mut fractions) = ([0_u32; L], [0.0_f32; L]);
     for lane in 0..L {
         let at = if at[lane] > 0.0 { at[lane] } else { 0.0 };

@@ -11,6 +11,7 @@ use crate::grid::Grid;
 use crate::limits::MAX_DT_S;
 use crate::pressure::{PressureSolver, Projected, Projection, Tables};
 use crate::report::StepReport;
+use crate::scalars::{Pack, Scalars};
 use crate::scratch::Scratch;
 use crate::sides::Sides;
 
@@ -31,6 +32,8 @@ pub(crate) struct State {
     pub(crate) velocity: [Field; 3],
     /// Temperature above ambient at the centres, K.
     pub(crate) temperature: Field,
+    /// Named scalars at the centres, four to a pack.
+    pub(crate) packs: Vec<Pack>,
     /// Velocity potential of the last projection, m²/s.
     pub(crate) potential: Vec<f32>,
 }
@@ -47,6 +50,9 @@ pub(crate) struct Sources {
     /// 1/s, by cell.
     pub(crate) expansion: Vec<f32>,
     pub(crate) has_expansion: bool,
+    /// 1/s, by scalar and cell; without scalars, or for one without a source, empty.
+    pub(crate) scalars: Vec<Vec<f32>>,
+    pub(crate) has_scalars: bool,
 }
 
 impl Sources {
@@ -60,6 +66,9 @@ impl Sources {
         if std::mem::take(&mut self.has_expansion) {
             self.expansion.fill(0.0);
         }
+        if std::mem::take(&mut self.has_scalars) {
+            self.scalars.iter_mut().for_each(|values| values.fill(0.0));
+        }
     }
 }
 
@@ -68,6 +77,7 @@ pub struct Fluid {
     pub(crate) grid: Grid,
     pub(crate) sides: Sides,
     pub(crate) settings: Settings,
+    pub(crate) scalars: Scalars,
     pub(crate) pressure: PressureSolver,
     /// Tables of the pressure solver; fluids of a batch share them.
     pub(crate) tables: Arc<Tables>,
@@ -80,10 +90,16 @@ pub struct Fluid {
 
 impl Fluid {
     /// At rest or with the wind, with tables and scratch arrays of its own.
-    pub(crate) fn new(grid: Grid, sides: Sides, settings: Settings, pressure: PressureSolver) -> Self {
+    pub(crate) fn new(
+        grid: Grid,
+        sides: Sides,
+        settings: Settings,
+        pressure: PressureSolver,
+        scalars: Scalars,
+    ) -> Self {
         let tables = Arc::new(Tables::new(&grid, pressure));
         let scratch = Box::new(Scratch::new(&grid));
-        let mut fluid = Self::unsettled(grid, sides, settings, pressure, tables);
+        let mut fluid = Self::unsettled(grid, sides, settings, pressure, scalars, tables);
         fluid.scratch = Some(scratch);
         fluid.reset();
         fluid
@@ -95,6 +111,7 @@ impl Fluid {
         sides: Sides,
         settings: Settings,
         pressure: PressureSolver,
+        scalars: Scalars,
         tables: Arc<Tables>,
     ) -> Self {
         Self {
@@ -105,17 +122,19 @@ impl Fluid {
             state: State {
                 velocity: std::array::from_fn(|axis| Field::on_faces(&grid, axis)),
                 temperature: Field::at_centres(&grid),
+                packs: vec![vec![[0.0; 4]; grid.count()]; scalars.packs()],
                 potential: vec![0.0; grid.count()],
             },
             sources: Sources::default(),
             max_speed_m_s: 0.0,
             scratch: None,
+            scalars,
             grid,
         }
     }
 
-    /// Back to the start: ambient temperature, the air moving with the wind as far as the sides
-    /// allow, nothing added. Settings stay.
+    /// Back to the start: ambient temperature, scalars as outside, the air moving with the wind
+    /// as far as the sides allow, nothing added. Settings stay.
     pub fn reset(&mut self) {
         self.with_scratch(Self::reset_with);
     }
@@ -123,6 +142,9 @@ impl Fluid {
     /// As [`Fluid::reset`], in arrays that fit.
     pub(crate) fn reset_with(&mut self, scratch: &mut Scratch) {
         self.state.temperature.data.fill(0.0);
+        for (index, pack) in self.state.packs.iter_mut().enumerate() {
+            pack.fill(self.scalars.outside(index));
+        }
         self.state.potential.fill(0.0);
         self.sources.clear();
         for (field, wind) in self.state.velocity.iter_mut().zip(self.settings.wind_m_s.to_array()) {

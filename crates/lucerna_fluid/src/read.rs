@@ -2,9 +2,8 @@
 
 use glam::Vec3;
 
-use crate::field::Field;
+use crate::advect::energy;
 use crate::fluid::Fluid;
-use crate::forces::energy;
 use crate::limits::MAX_DT_S;
 use crate::parallel::Partial;
 use crate::pressure::divergence_plane;
@@ -126,17 +125,17 @@ impl Fluid {
         out
     }
 
-    /// FNV-1a hash of the bits of velocity and temperature: equal states, equal hashes.
+    /// FNV-1a hash of the bits of velocity, temperature and scalars: equal states, equal hashes.
     #[must_use]
     pub fn state_hash(&self) -> u64 {
         let [u, v, w] = &self.state.velocity;
         let mut hash = 0xcbf2_9ce4_8422_2325_u64;
-        let mut mix = |field: &Field| {
-            for byte in field.data.iter().flat_map(|value| value.to_bits().to_le_bytes()) {
+        let fields = [u, v, w, &self.state.temperature].into_iter().flat_map(|field| &field.data);
+        for value in fields.chain(self.state.packs.iter().flatten().flatten()) {
+            for byte in value.to_bits().to_le_bytes() {
                 hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
             }
-        };
-        [u, v, w, &self.state.temperature].into_iter().for_each(&mut mix);
+        }
         hash
     }
 }

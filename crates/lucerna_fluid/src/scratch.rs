@@ -4,12 +4,15 @@ use crate::confinement::Confinement;
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::parallel::Partial;
+use crate::scalars::Pack;
 
 /// Taken once; a step allocates nothing.
 pub(crate) struct Scratch {
     pub(crate) next_velocity: [Field; 3],
     pub(crate) next_temperature: Field,
-    /// The way that the air of each cell went; see [`crate::advect`].
+    /// Empty until scalars are first carried.
+    pub(crate) next_pack: Pack,
+    /// The way that the air of each cell went; see `advect::semi_lagrangian`.
     pub(crate) trace: Vec<f32>,
     pub(crate) confinement: Confinement,
     pub(crate) divergence: Vec<f32>,
@@ -24,6 +27,7 @@ impl Scratch {
         Self {
             next_velocity: std::array::from_fn(|axis| Field::on_faces(grid, axis)),
             next_temperature: Field::at_centres(grid),
+            next_pack: Vec::new(),
             trace: vec![0.0; 3 * count],
             confinement: Confinement::new(grid),
             divergence: vec![0.0; count],

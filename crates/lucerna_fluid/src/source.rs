@@ -2,3 +2,6 @@
 
 mod add;
 mod settings;
+
+pub(crate) use add::{add_ball, check_ball};
+pub(crate) use settings::fill;

@@ -2,7 +2,6 @@
 
 use std::time::Instant;
 
-use crate::advect::{advect, trace_back};
 use crate::fluid::Fluid;
 use crate::forces;
 use crate::lanes::highest;
@@ -10,7 +9,6 @@ use crate::parallel::{Partial, reduce};
 use crate::pressure::Projected;
 use crate::report::{StageTimes, StepReport};
 use crate::scratch::Scratch;
-use crate::transport::transport;
 use crate::viscosity::diffuse;
 
 /// Takes the time of each stage. There is no clock on bare WebAssembly: all times are zero.
@@ -47,28 +45,6 @@ impl Fluid {
         times.report_ms = clock.lap_ms();
         report.times = times;
         report
-    }
-
-    /// Moves velocity and temperature with the air; then heats and cools.
-    fn carry(&mut self, scratch: &mut Scratch, dt_s: f32) {
-        let Self { grid, state, .. } = self;
-        let Scratch { next_velocity, next_temperature, trace, partials, .. } = scratch;
-        let wind = self.settings.wind_m_s.to_array();
-        trace_back(grid, &state.velocity, dt_s, trace);
-        let mut allowed = forces::energy(grid, &state.velocity, partials);
-        for axis in 0..3 {
-            let (from, to) = (&state.velocity[axis], &mut next_velocity[axis]);
-            allowed += advect(grid, from, axis, trace, wind[axis], to, partials);
-        }
-        transport(grid, &state.velocity, dt_s, &mut state.temperature, next_temperature, partials);
-        std::mem::swap(&mut state.velocity, next_velocity);
-        forces::fix_sides(grid, &mut state.velocity, wind);
-        if !self.sources.has_expansion {
-            forces::limit_energy(grid, &mut state.velocity, allowed, partials);
-        }
-        let heat = self.sources.has_heat.then_some(self.sources.heat.as_slice());
-        let lowest_k = -0.9 * self.settings.ambient_k;
-        forces::heat_and_cool(grid, &mut state.temperature, heat, self.settings.cooling_per_s, lowest_k, dt_s);
     }
 
     /// Adds all that accelerates the air.

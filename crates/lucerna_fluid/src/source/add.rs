@@ -92,7 +92,7 @@ impl Fluid {
 }
 
 /// Adds a ball that falls smoothly to zero at its radius; sums stay within `most`.
-fn add_ball(grid: &Grid, values: &mut [f32], point: Vec3, radius_m: f32, rate: f32, most: f32) {
+pub(crate) fn add_ball(grid: &Grid, values: &mut [f32], point: Vec3, radius_m: f32, rate: f32, most: f32) {
     let [longest_x, longest_y, longest_z] = grid.cell_m;
     let radius = radius_m.max(longest_x).max(longest_y).max(longest_z);
     let (low, high) = (grid.cells_from_point(point - radius), grid.cells_from_point(point + radius));
@@ -125,7 +125,7 @@ fn check_point(point: Vec3) -> Result<Vec3, FluidError> {
     check_vec("point", point, f32::MAX, "finite")
 }
 
-fn check_ball(point: Vec3, radius_m: f32) -> Result<(), FluidError> {
+pub(crate) fn check_ball(point: Vec3, radius_m: f32) -> Result<(), FluidError> {
     check_point(point)?;
     check("radius_m", radius_m, f32::MIN_POSITIVE, 1.0e6, "above 0, up to 1e6 m")?;
     Ok(())

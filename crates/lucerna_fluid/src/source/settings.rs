@@ -93,7 +93,11 @@ impl Fluid {
 }
 
 /// Fills a field from a function of the point at which each value lies.
-fn fill(grid: &Grid, field: &mut Field, value: impl Fn(Vec3) -> Result<f32, FluidError>) -> Result<(), FluidError> {
+pub(crate) fn fill(
+    grid: &Grid,
+    field: &mut Field,
+    value: impl Fn(Vec3) -> Result<f32, FluidError>,
+) -> Result<(), FluidError> {
     let [nx, ny, _] = field.counts;
     let offset = Vec3::from_array(field.offset);
     for (at, out) in field.data.iter_mut().enumerate() {

@@ -92,14 +92,17 @@ fn a_box_of_a_batch_has_the_whole_interface_of_a_fluid() {
 #[test]
 fn a_batch_refuses_boxes_of_other_shapes() {
     let good = Fluid::builder([6; 3]);
-    let cube = |builder| FluidBatch::new([good, good.origin(Vec3::ONE), builder]).err();
-    assert_eq!(cube(good.wind(Vec3::X).cooling_per_s(1.0)), None);
+    let cube = |builder| FluidBatch::new([good.clone(), good.clone().origin(Vec3::ONE), builder]).err();
+    assert_eq!(cube(good.clone().wind(Vec3::X).cooling_per_s(1.0)), None);
     let refused = Some(FluidError::BatchShape { index: 2 });
     assert_eq!(cube(Fluid::builder([6, 6, 7])), refused);
-    assert_eq!(cube(good.size_m(Vec3::splat(2.0))), refused);
-    assert_eq!(cube(good.sides(Sides::OPEN)), refused);
-    assert_eq!(cube(good.pressure(PressureSolver::GaussSeidel { sweeps: 9 })), refused);
-    assert!(matches!(cube(good.cooling_per_s(f32::NAN)), Some(FluidError::Value { field: "cooling_per_s", .. })));
+    assert_eq!(cube(good.clone().size_m(Vec3::splat(2.0))), refused);
+    assert_eq!(cube(good.clone().sides(Sides::OPEN)), refused);
+    assert_eq!(cube(good.clone().pressure(PressureSolver::GaussSeidel { sweeps: 9 })), refused);
+    assert!(matches!(
+        cube(good.clone().cooling_per_s(f32::NAN)),
+        Some(FluidError::Value { field: "cooling_per_s", .. })
+    ));
     let mut none = FluidBatch::new([]).unwrap();
     assert!(none.is_empty() && none.step(0.1).unwrap().is_empty());
     let mut batch = good.build_batch(2).unwrap();

@@ -6,4 +6,5 @@ mod heat;
 mod inputs;
 mod projection;
 mod robust;
+mod scalars;
 mod support;

@@ -1,0 +1,42 @@
+//! The stage of a step in which the air carries what is in it.
+
+use super::energy::{energy, limit_energy};
+use super::flux::transport;
+use super::packs::advect_pack;
+use super::semi_lagrangian::{advect, trace_back};
+use crate::fluid::Fluid;
+use crate::forces;
+use crate::scalars;
+use crate::scratch::Scratch;
+
+impl Fluid {
+    /// Moves velocity, temperature and scalars with the air; then adds heat and scalars, and cools.
+    pub(crate) fn carry(&mut self, scratch: &mut Scratch, dt_s: f32) {
+        let Self { grid, state, .. } = self;
+        let Scratch { next_velocity, next_temperature, next_pack, trace, partials, .. } = scratch;
+        let wind = self.settings.wind_m_s.to_array();
+        trace_back(grid, &state.velocity, dt_s, trace);
+        let mut allowed = energy(grid, &state.velocity, partials);
+        for axis in 0..3 {
+            let (from, to) = (&state.velocity[axis], &mut next_velocity[axis]);
+            allowed += advect(grid, from, axis, trace, wind[axis], to, partials);
+        }
+        for (index, pack) in state.packs.iter_mut().enumerate() {
+            next_pack.resize(pack.len(), [0.0; 4]);
+            advect_pack(grid, pack, trace, self.scalars.outside(index), next_pack);
+            std::mem::swap(pack, next_pack);
+        }
+        transport(grid, &state.velocity, dt_s, &mut state.temperature, next_temperature, partials);
+        std::mem::swap(&mut state.velocity, next_velocity);
+        forces::fix_sides(grid, &mut state.velocity, wind);
+        if !self.sources.has_expansion {
+            limit_energy(grid, &mut state.velocity, allowed, partials);
+        }
+        let heat = self.sources.has_heat.then_some(self.sources.heat.as_slice());
+        let lowest_k = -0.9 * self.settings.ambient_k;
+        forces::heat_and_cool(grid, &mut state.temperature, heat, self.settings.cooling_per_s, lowest_k, dt_s);
+        if self.sources.has_scalars {
+            scalars::feed(grid, &mut state.packs, &self.sources.scalars, dt_s);
+        }
+    }
+}
