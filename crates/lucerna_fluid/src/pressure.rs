@@ -4,7 +4,11 @@ mod basis;
 mod direct;
 mod gauss_seidel;
 mod gemm;
+#[allow(dead_code, reason = "obstacles make it")]
+mod mask;
 mod operators;
+#[allow(dead_code, reason = "obstacles make it")]
+mod regions;
 
 use serde::{Deserialize, Serialize};
 
