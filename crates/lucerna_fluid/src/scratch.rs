@@ -29,7 +29,7 @@ impl Scratch {
             next_temperature: Field::at_centres(grid),
             next_pack: Vec::new(),
             trace: vec![0.0; 3 * count],
-            confinement: Confinement::new(grid),
+            confinement: Confinement::default(),
             divergence: vec![0.0; count],
             spare: vec![0.0; count],
             partials: vec![Partial::default(); grid.cells[2] + 1],
