@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use glam::Vec3;
+use serde::{Deserialize, Serialize};
 
 use crate::error::{FluidError, check, check_vec};
 use crate::fluid::{Fluid, Settings};
@@ -16,20 +17,20 @@ use crate::sides::{Side, Sides};
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Describes a [`Fluid`]; [`FluidBuilder::build`] checks it all and makes it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[must_use]
 pub struct FluidBuilder {
-    cells: [usize; 3],
-    origin: Vec3,
-    size_m: Vec3,
-    sides: Sides,
-    wind_m_s: Vec3,
-    viscosity_m2_s: f32,
-    vorticity_confinement: f32,
-    ambient_k: f32,
-    cooling_per_s: f32,
-    pressure: PressureSolver,
-    scalars: Scalars,
+    pub(crate) cells: [usize; 3],
+    pub(crate) origin: Vec3,
+    pub(crate) size_m: Vec3,
+    pub(crate) sides: Sides,
+    pub(crate) wind_m_s: Vec3,
+    pub(crate) viscosity_m2_s: f32,
+    pub(crate) vorticity_confinement: f32,
+    pub(crate) ambient_k: f32,
+    pub(crate) cooling_per_s: f32,
+    pub(crate) pressure: PressureSolver,
+    pub(crate) scalars: Scalars,
 }
 
 impl Fluid {

@@ -29,6 +29,12 @@ pub(crate) const BUOYANCY_RATIO: (f32, f32) = (-1.0, 10.0);
 /// Greatest acceleration that a caller may add, m/s².
 pub(crate) const MAX_ACCELERATION_M_S2: f32 = 1.0e6;
 
+/// Greatest rate at which a cell is heated, K/s.
+pub(crate) const MAX_HEATING_K_S: f32 = 1.0e7;
+
+/// Greatest divergence that a caller may ask for, 1/s.
+pub(crate) const MAX_EXPANSION_PER_S: f32 = 1.0e4;
+
 /// Greatest diffusion number (viscosity * dt / cell²) solved for; air is mixed over a hundred
 /// cells in a step there, and `f32` would not carry more.
 pub(crate) const MAX_DIFFUSION_NUMBER: f64 = 1.0e4;

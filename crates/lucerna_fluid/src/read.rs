@@ -128,14 +128,29 @@ impl Fluid {
     /// FNV-1a hash of the bits of velocity, temperature and scalars: equal states, equal hashes.
     #[must_use]
     pub fn state_hash(&self) -> u64 {
+        let mut hash = Fnv::default();
         let [u, v, w] = &self.state.velocity;
-        let mut hash = 0xcbf2_9ce4_8422_2325_u64;
         let fields = [u, v, w, &self.state.temperature].into_iter().flat_map(|field| &field.data);
         for value in fields.chain(self.state.packs.iter().flatten().flatten()) {
-            for byte in value.to_bits().to_le_bytes() {
-                hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-            }
+            hash.add(&value.to_bits().to_le_bytes());
         }
-        hash
+        hash.0
+    }
+}
+
+/// FNV-1a (G. Fowler, L. C. Noll, K.-P. Vo), 64 bits.
+pub(crate) struct Fnv(pub(crate) u64);
+
+impl Default for Fnv {
+    fn default() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+}
+
+impl Fnv {
+    pub(crate) fn add(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
+        }
     }
 }

@@ -5,6 +5,7 @@
 //! of air (or a mass fraction, which is the same thing where the density is constant).
 
 use glam::Vec3;
+use serde::{Deserialize, Serialize};
 
 use crate::error::{FluidError, check};
 use crate::field::sample_packs;
@@ -18,6 +19,9 @@ pub const MAX_SCALARS: usize = 64;
 
 /// Greatest magnitude of a scalar; sources are clamped to it.
 pub const MAX_SCALAR: f32 = 1.0e6;
+
+/// Greatest rate at which a scalar's sources change it, per second.
+pub(crate) const MAX_SCALAR_RATE: f32 = 1.0e7;
 
 /// Scalars in a pack.
 pub(crate) const PACK: usize = 4;
@@ -38,7 +42,7 @@ impl ScalarId {
 }
 
 /// What the scalars of a fluid are called, and what comes in with the wind.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Scalars {
     pub(crate) names: Vec<String>,
     pub(crate) outside: Vec<f32>,
@@ -172,7 +176,7 @@ impl Fluid {
         sources.scalars.resize(self.scalars.names.len(), Vec::new());
         let rates = &mut sources.scalars[index];
         rates.resize(self.grid.count(), 0.0);
-        add_ball(&self.grid, rates, point, radius_m, rate, 1.0e7);
+        add_ball(&self.grid, rates, point, radius_m, rate, MAX_SCALAR_RATE);
         sources.has_scalars = true;
         Ok(())
     }

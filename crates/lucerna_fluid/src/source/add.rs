@@ -5,7 +5,7 @@ use glam::Vec3;
 use crate::error::{FluidError, check, check_vec};
 use crate::fluid::Fluid;
 use crate::grid::Grid;
-use crate::limits::MAX_ACCELERATION_M_S2;
+use crate::limits::{MAX_ACCELERATION_M_S2, MAX_EXPANSION_PER_S, MAX_HEATING_K_S};
 
 impl Fluid {
     /// Pushes the air of the cell that holds `point` during the coming step, m/s², components
@@ -70,7 +70,7 @@ impl Fluid {
         check_ball(point, radius_m)?;
         let rate = check("kelvin_per_s", kelvin_per_s, -1.0e6, 1.0e6, "within ±1e6 K/s")?;
         self.sources.heat.resize(self.grid.count(), 0.0);
-        add_ball(&self.grid, &mut self.sources.heat, point, radius_m, rate, 1.0e7);
+        add_ball(&self.grid, &mut self.sources.heat, point, radius_m, rate, MAX_HEATING_K_S);
         self.sources.has_heat = true;
         Ok(())
     }
@@ -85,7 +85,7 @@ impl Fluid {
         check_ball(point, radius_m)?;
         let rate = check("rate_per_s", rate_per_s, -1.0e4, 1.0e4, "within ±1e4 1/s")?;
         self.sources.expansion.resize(self.grid.count(), 0.0);
-        add_ball(&self.grid, &mut self.sources.expansion, point, radius_m, rate, 1.0e4);
+        add_ball(&self.grid, &mut self.sources.expansion, point, radius_m, rate, MAX_EXPANSION_PER_S);
         self.sources.has_expansion = true;
         Ok(())
     }

@@ -6,5 +6,6 @@ mod heat;
 mod inputs;
 mod projection;
 mod robust;
+mod saving;
 mod scalars;
 mod support;
