@@ -148,10 +148,9 @@ fn what_does_not_fit_is_refused_by_name() {
     assert_eq!(refused(&["pending", "heat"], json!([1.0])), length("heat", 1, 504));
     assert_eq!(refused(&["pending", "acceleration", "0"], json!([])), length("acceleration", 0, 10 * 7 * 8));
     assert_eq!(refused(&["pending", "scalars"], json!([[]])), length("scalar sources", 1, 2));
-    for (path, field) in [
-        (["state", "velocity", "2", "5"], "velocity"),
-        (["pending", "acceleration", "2", "5"], "acceleration"),
-    ] {
+    for (path, field) in
+        [(["state", "velocity", "2", "5"], "velocity"), (["pending", "acceleration", "2", "5"], "acceleration")]
+    {
         let error = refused(&path, json!(1.0e30));
         assert!(matches!(error, SnapshotError::Value { field: named, index: 5, .. } if named == field), "{error}");
     }
