@@ -169,6 +169,7 @@ impl FluidBuilder {
             vorticity_confinement: check_confinement(self.vorticity_confinement)?,
             ambient_k: check_ambient(self.ambient_k)?,
             cooling_per_s: check_cooling(self.cooling_per_s)?,
+            thermal_diffusivity_m2_s: 0.0,
         };
         if let PressureSolver::GaussSeidel { sweeps } = self.pressure {
             check("pressure sweeps", sweeps as f32, 1.0, 1.0e4, "1 to 10000")?;

@@ -73,6 +73,18 @@ pub enum FluidError {
         /// The number of scalars of this fluid.
         count: usize,
     },
+    /// A velocity was given for a side that has none of its own.
+    #[error("the {side} side is neither no_slip nor inflow; allowed: a velocity for a side that is")]
+    SideVelocity {
+        /// Which side: `left`, `right`, `bottom`, `top`, `back` or `front`.
+        side: &'static str,
+    },
+    /// A temperature was given for a side that has no wall.
+    #[error("the {side} side is periodic; allowed: a temperature for a side that is not")]
+    SideTemperature {
+        /// Which side: `left`, `right`, `bottom`, `top`, `back` or `front`.
+        side: &'static str,
+    },
     /// Wind enters by one side of an axis and can leave nowhere.
     #[error(
         "the {axis} axis has one inflow side and no side of the box is open; allowed: two inflow sides, or an open side anywhere"

@@ -6,14 +6,13 @@ use glam::Vec3;
 
 use crate::error::{FluidError, check};
 use crate::field::Field;
-use crate::forces;
 use crate::grid::Grid;
 use crate::limits::MAX_DT_S;
 use crate::pressure::{PressureSolver, Projected, Projection, Tables};
 use crate::report::StepReport;
 use crate::scalars::{Pack, Scalars};
 use crate::scratch::Scratch;
-use crate::sides::Sides;
+use crate::sides::{GivenSides, Sides, Walls, fix_sides};
 
 /// What may change while the fluid runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,6 +22,7 @@ pub(crate) struct Settings {
     pub(crate) vorticity_confinement: f32,
     pub(crate) ambient_k: f32,
     pub(crate) cooling_per_s: f32,
+    pub(crate) thermal_diffusivity_m2_s: f32,
 }
 
 /// What time changes.
@@ -83,6 +83,8 @@ pub struct Fluid {
     pub(crate) tables: Arc<Tables>,
     pub(crate) state: State,
     pub(crate) sources: Sources,
+    /// Velocities and temperatures given for sides.
+    pub(crate) given: GivenSides,
     pub(crate) max_speed_m_s: f32,
     /// Arrays that only a step uses. Fluids of a batch borrow those of their worker instead.
     pub(crate) scratch: Option<Box<Scratch>>,
@@ -126,6 +128,7 @@ impl Fluid {
                 potential: vec![0.0; grid.count()],
             },
             sources: Sources::default(),
+            given: GivenSides::default(),
             max_speed_m_s: 0.0,
             scratch: None,
             scalars,
@@ -155,7 +158,7 @@ impl Fluid {
 
     /// Makes the present velocity obey the sides, and free of divergence.
     pub(crate) fn settle(&mut self, scratch: &mut Scratch) -> Projected {
-        forces::fix_sides(&self.grid, &mut self.state.velocity, self.settings.wind_m_s.to_array());
+        fix_sides(&self.grid, &mut self.state.velocity, Walls::of(&self.settings, &self.given));
         let projected = self.project(scratch, false);
         self.max_speed_m_s = projected.speeds.into_iter().fold(0.0, f32::max);
         projected

@@ -63,4 +63,4 @@ pub use pressure::PressureSolver;
 pub use report::{StageTimes, StepReport};
 pub use save::{Snapshot, SnapshotError};
 pub use scalars::{MAX_SCALAR, MAX_SCALARS, ScalarId};
-pub use sides::{Side, Sides};
+pub use sides::{Side, SideAt, Sides};

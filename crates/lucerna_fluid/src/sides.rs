@@ -1,6 +1,12 @@
 //! What the six sides of the box do to the air.
 
+mod fixed;
+mod given;
+
 use serde::{Deserialize, Serialize};
+
+pub(crate) use fixed::{fix_sides, push_wind};
+pub(crate) use given::{GivenSides, Wall, Walls};
 
 /// One side of the box.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -34,6 +40,49 @@ impl Side {
     /// Whether air can come from outside.
     pub(crate) fn lets_in(self) -> bool {
         matches!(self, Side::Open | Side::Inflow)
+    }
+}
+
+/// Which of the six sides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SideAt {
+    /// The low end of x.
+    Left,
+    /// The high end of x.
+    Right,
+    /// The low end of y.
+    Bottom,
+    /// The high end of y.
+    Top,
+    /// The low end of z.
+    Back,
+    /// The high end of z.
+    Front,
+}
+
+impl SideAt {
+    /// Axis, and end of it: 0 low, 1 high.
+    pub(crate) fn axis_and_end(self) -> (usize, usize) {
+        match self {
+            Self::Left => (0, 0),
+            Self::Right => (0, 1),
+            Self::Bottom => (1, 0),
+            Self::Top => (1, 1),
+            Self::Back => (2, 0),
+            Self::Front => (2, 1),
+        }
+    }
+
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Left => "left",
+            Self::Right => "right",
+            Self::Bottom => "bottom",
+            Self::Top => "top",
+            Self::Back => "back",
+            Self::Front => "front",
+        }
     }
 }
 

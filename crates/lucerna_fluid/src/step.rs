@@ -9,7 +9,8 @@ use crate::parallel::{Partial, reduce};
 use crate::pressure::Projected;
 use crate::report::{StageTimes, StepReport};
 use crate::scratch::Scratch;
-use crate::viscosity::diffuse;
+use crate::sides::{Walls, fix_sides, push_wind};
+use crate::viscosity::{Diffusivity, diffuse_scalar, diffuse_velocity};
 
 /// Takes the time of each stage. There is no clock on bare WebAssembly: all times are zero.
 struct Clock(Option<Instant>);
@@ -36,7 +37,7 @@ impl Fluid {
         times.advection_ms = clock.lap_ms();
         self.push(scratch, dt_s);
         times.forces_ms = clock.lap_ms();
-        self.rub(dt_s);
+        self.rub(scratch, dt_s);
         times.viscosity_ms = clock.lap_ms();
         let projected = self.project(scratch, self.sources.has_expansion);
         times.pressure_ms = clock.lap_ms();
@@ -49,7 +50,7 @@ impl Fluid {
 
     /// Adds all that accelerates the air.
     fn push(&mut self, scratch: &mut Scratch, dt_s: f32) {
-        let Self { grid, state, settings, sources, .. } = self;
+        let Self { grid, state, settings, sources, given, .. } = self;
         let velocity = &mut state.velocity;
         if settings.vorticity_confinement > 0.0 {
             scratch.confinement.apply(grid, velocity, settings.vorticity_confinement, dt_s);
@@ -61,19 +62,23 @@ impl Fluid {
             }
         }
         velocity.iter_mut().for_each(|field| forces::clamp_speed(grid, field));
-        forces::push_wind(grid, velocity, settings.wind_m_s.to_array(), dt_s);
+        push_wind(grid, velocity, Walls::of(settings, given), dt_s);
     }
 
-    /// Lets viscosity act, and sets the flow through the sides.
-    fn rub(&mut self, dt_s: f32) {
-        let Self { grid, state, settings, .. } = self;
-        let wind = settings.wind_m_s.to_array();
-        if settings.viscosity_m2_s > 0.0 {
-            let viscosity_dt = f64::from(settings.viscosity_m2_s) * f64::from(dt_s);
-            forces::fix_sides(grid, &mut state.velocity, wind);
-            diffuse(grid, &mut state.velocity, viscosity_dt, wind);
+    /// Lets viscosity and conduction act, and sets the flow through the sides.
+    fn rub(&mut self, scratch: &mut Scratch, dt_s: f32) {
+        let Self { grid, state, settings, given, .. } = self;
+        let walls = Walls::of(settings, given);
+        fix_sides(grid, &mut state.velocity, walls);
+        let viscosity = Diffusivity { uniform_m2_s: settings.viscosity_m2_s };
+        if viscosity.acts() {
+            diffuse_velocity(grid, &mut state.velocity, viscosity, dt_s, walls, &mut scratch.next_velocity);
+            fix_sides(grid, &mut state.velocity, walls);
         }
-        forces::fix_sides(grid, &mut state.velocity, wind);
+        let conduction = Diffusivity { uniform_m2_s: settings.thermal_diffusivity_m2_s };
+        if conduction.acts() {
+            diffuse_scalar(grid, &mut state.temperature, conduction, dt_s, given, &mut scratch.next_temperature);
+        }
     }
 
     fn report(&mut self, scratch: &mut Scratch, dt_s: f32, projected: Projected) -> StepReport {

@@ -8,6 +8,7 @@ use crate::fluid::Fluid;
 use crate::forces;
 use crate::scalars;
 use crate::scratch::Scratch;
+use crate::sides::{Walls, fix_sides};
 
 impl Fluid {
     /// Moves velocity, temperature and scalars with the air; then adds heat and scalars, and cools.
@@ -28,7 +29,7 @@ impl Fluid {
         }
         transport(grid, &state.velocity, dt_s, &mut state.temperature, next_temperature, partials);
         std::mem::swap(&mut state.velocity, next_velocity);
-        forces::fix_sides(grid, &mut state.velocity, wind);
+        fix_sides(grid, &mut state.velocity, Walls::of(&self.settings, &self.given));
         if !self.sources.has_expansion {
             limit_energy(grid, &mut state.velocity, allowed, partials);
         }

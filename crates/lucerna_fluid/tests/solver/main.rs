@@ -8,4 +8,6 @@ mod projection;
 mod robust;
 mod saving;
 mod scalars;
+mod sides;
 mod support;
+mod viscous;
