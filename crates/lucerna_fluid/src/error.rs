@@ -85,6 +85,21 @@ pub enum FluidError {
         /// Which side: `left`, `right`, `bottom`, `top`, `back` or `front`.
         side: &'static str,
     },
+    /// No part of a source's shape is inside the box.
+    #[error("the source lies outside the box; allowed: a shape with a part inside")]
+    SourceOutside,
+    /// A source that is not attached, or no longer.
+    #[error("source {id} is not attached; allowed: what attach_source returned")]
+    UnknownSource {
+        /// The number of the source.
+        id: u64,
+    },
+    /// A mesh that cannot be the shape of a source.
+    #[error("the mesh {problem}; allowed: triangles between existing corners, closed if their inside is meant")]
+    Mesh {
+        /// What is wrong with it.
+        problem: &'static str,
+    },
     /// Wind enters by one side of an axis and can leave nowhere.
     #[error(
         "the {axis} axis has one inflow side and no side of the box is open; allowed: two inflow sides, or an open side anywhere"

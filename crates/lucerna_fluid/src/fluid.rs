@@ -13,6 +13,7 @@ use crate::report::StepReport;
 use crate::scalars::{Pack, Scalars};
 use crate::scratch::Scratch;
 use crate::sides::{GivenSides, Sides, Walls, fix_sides};
+use crate::source::Placed;
 
 /// What may change while the fluid runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,10 +54,12 @@ pub(crate) struct Sources {
     /// 1/s, by scalar and cell; without scalars, or for one without a source, empty.
     pub(crate) scalars: Vec<Vec<f32>>,
     pub(crate) has_scalars: bool,
+    pub(crate) placed: Placed,
 }
 
 impl Sources {
     pub(crate) fn clear(&mut self) {
+        self.placed.clear();
         if std::mem::take(&mut self.has_acceleration) {
             self.acceleration.iter_mut().for_each(|values| values.fill(0.0));
         }

@@ -36,6 +36,11 @@ impl Grid {
         self.cells[0] * self.cells[1]
     }
 
+    /// Volume of a cell, m³.
+    pub(crate) fn cell_volume_m3(&self) -> f64 {
+        self.cell_m.iter().map(|edge| f64::from(*edge)).product()
+    }
+
     /// Values along each axis of the velocity component `axis`.
     pub(crate) fn face_counts(&self, axis: usize) -> [usize; 3] {
         let mut counts = self.cells;

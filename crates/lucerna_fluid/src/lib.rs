@@ -30,8 +30,10 @@
 //! that a caller passes in makes it panic, and no value that is not a number gets into a field.
 
 mod advect;
+mod air;
 mod batch;
 mod builder;
+mod burn;
 mod confinement;
 mod error;
 mod field;
@@ -53,6 +55,7 @@ mod source;
 mod step;
 mod viscosity;
 
+pub use air::{AIR_GAS_CONSTANT_J_KG_K, AIR_HEAT_CAPACITY_J_KG_K, AIR_PRESSURE_PA, air_density_kg_m3};
 pub use batch::FluidBatch;
 pub use builder::FluidBuilder;
 pub use error::FluidError;
@@ -64,3 +67,4 @@ pub use report::{StageTimes, StepReport};
 pub use save::{Snapshot, SnapshotError};
 pub use scalars::{MAX_SCALAR, MAX_SCALARS, ScalarId};
 pub use sides::{Side, SideAt, Sides};
+pub use source::{Couple, ScalarSource, Shape, Source, SourceId};

@@ -128,7 +128,8 @@ impl Fluid {
         }
     }
 
-    /// A copy of all that makes this fluid go on as it would. Allocates 24 bytes a cell and what
+    /// A copy of all that makes this fluid go on as it would, but for what
+    /// [`Fluid::add_source`] and [`Fluid::attach_source`] placed. Allocates 24 bytes a cell and what
     /// was added for the coming step.
     #[must_use]
     pub fn save(&self) -> Snapshot {
@@ -198,6 +199,8 @@ impl Snapshot {
         fluid.state.potential.copy_from_slice(potential);
         fluid.max_speed_m_s = *max_speed_m_s;
         let Pending { acceleration, heat, expansion, scalars } = self.pending.clone();
+        let mut placed = std::mem::take(&mut fluid.sources.placed);
+        placed.clear();
         fluid.sources = Sources {
             has_acceleration: acceleration.iter().any(|values| !values.is_empty()),
             acceleration,
@@ -207,6 +210,7 @@ impl Snapshot {
             expansion,
             has_scalars: !scalars.is_empty(),
             scalars,
+            placed,
         };
     }
 }

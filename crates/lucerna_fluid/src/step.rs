@@ -33,8 +33,10 @@ impl Fluid {
     pub(crate) fn advance(&mut self, scratch: &mut Scratch, dt_s: f32) -> StepReport {
         let mut clock = Clock::start();
         let mut times = StageTimes::default();
+        self.expand();
         self.carry(scratch, dt_s);
         times.advection_ms = clock.lap_ms();
+        self.burn(dt_s);
         self.push(scratch, dt_s);
         times.forces_ms = clock.lap_ms();
         self.rub(scratch, dt_s);
@@ -50,6 +52,7 @@ impl Fluid {
 
     /// Adds all that accelerates the air.
     fn push(&mut self, scratch: &mut Scratch, dt_s: f32) {
+        let air = self.air();
         let Self { grid, state, settings, sources, given, .. } = self;
         let velocity = &mut state.velocity;
         if settings.vorticity_confinement > 0.0 {
@@ -61,6 +64,7 @@ impl Fluid {
                 forces::accelerate(grid, field, acceleration, dt_s);
             }
         }
+        sources.placed.push(grid, air, &state.temperature.data, velocity, dt_s);
         velocity.iter_mut().for_each(|field| forces::clamp_speed(grid, field));
         push_wind(grid, velocity, Walls::of(settings, given), dt_s);
     }

@@ -5,13 +5,11 @@ use super::flux::transport;
 use super::packs::advect_pack;
 use super::semi_lagrangian::{advect, trace_back};
 use crate::fluid::Fluid;
-use crate::forces;
-use crate::scalars;
 use crate::scratch::Scratch;
 use crate::sides::{Walls, fix_sides};
 
 impl Fluid {
-    /// Moves velocity, temperature and scalars with the air; then adds heat and scalars, and cools.
+    /// Moves velocity, temperature and scalars with the air.
     pub(crate) fn carry(&mut self, scratch: &mut Scratch, dt_s: f32) {
         let Self { grid, state, .. } = self;
         let Scratch { next_velocity, next_temperature, next_pack, trace, partials, .. } = scratch;
@@ -32,12 +30,6 @@ impl Fluid {
         fix_sides(grid, &mut state.velocity, Walls::of(&self.settings, &self.given));
         if !self.sources.has_expansion {
             limit_energy(grid, &mut state.velocity, allowed, partials);
-        }
-        let heat = self.sources.has_heat.then_some(self.sources.heat.as_slice());
-        let lowest_k = -0.9 * self.settings.ambient_k;
-        forces::heat_and_cool(grid, &mut state.temperature, heat, self.settings.cooling_per_s, lowest_k, dt_s);
-        if self.sources.has_scalars {
-            scalars::feed(grid, &mut state.packs, &self.sources.scalars, dt_s);
         }
     }
 }

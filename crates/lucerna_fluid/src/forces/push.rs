@@ -4,12 +4,14 @@ use crate::field::Field;
 use crate::grid::Grid;
 use crate::limits::{BUOYANCY_RATIO, GRAVITY_M_S2};
 use crate::parallel::for_planes;
+use crate::sides::Side;
 
 /// Adds `g dT / ambient` on the faces across y, `dT / ambient` clamped to -1..=10.
 pub(crate) fn buoyancy(grid: &Grid, v: &mut Field, temperature: &Field, ambient_k: f32, dt_s: f32) {
     let [nx, ny, _] = grid.cells;
     let (least, most) = BUOYANCY_RATIO;
     let ratio = 0.5 / ambient_k;
+    let wraps = grid.sides[1][0] == Side::Periodic;
     for_planes(
         grid.exec,
         &mut v.data,
@@ -18,7 +20,9 @@ pub(crate) fn buoyancy(grid: &Grid, v: &mut Field, temperature: &Field, ambient_
         |k, out| {
             let row = |j: usize| &temperature.data[nx * (j + ny * k)..][..nx];
             for (j, out) in out.chunks_exact_mut(nx).enumerate() {
-                let (low, high) = (row(j.saturating_sub(1)), row(j.min(ny - 1)));
+                let is_seam = wraps && (j == 0 || j == ny);
+                let (low, high) = if is_seam { (ny - 1, 0) } else { (j.saturating_sub(1), j.min(ny - 1)) };
+                let (low, high) = (row(low), row(high));
                 for ((value, low), high) in out.iter_mut().zip(low).zip(high) {
                     *value += dt_s * GRAVITY_M_S2 * ((low + high) * ratio).max(least).min(most);
                 }

@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 
+use super::apply::faces;
 use crate::error::{FluidError, check, check_vec};
 use crate::fluid::Fluid;
 use crate::grid::Grid;
@@ -18,12 +19,10 @@ impl Fluid {
         check_point(point)?;
         let acceleration = check_acceleration(acceleration_m_s2)?.to_array();
         let Some([i, j, k]) = self.grid.cell_of_point(point) else { return Ok(()) };
-        let counts = [0, 1, 2].map(|axis| self.grid.face_counts(axis));
+        let cell = i + self.grid.cells[0] * (j + self.grid.cells[1] * k);
+        let faces = [0, 1, 2].map(|axis| faces(&self.grid, axis, cell));
         for (axis, values) in self.accelerations().iter_mut().enumerate() {
-            let [nx, ny, _] = counts[axis];
-            let low = i + nx * (j + ny * k);
-            let stride = [1, nx, nx * ny][axis];
-            for at in [low, low + stride] {
+            for at in faces[axis] {
                 values[at] = add_clamped(values[at], 0.5 * acceleration[axis], MAX_ACCELERATION_M_S2);
             }
         }
@@ -42,9 +41,12 @@ impl Fluid {
         }
         let acceleration = check_acceleration(Vec3::new(0.0, acceleration_m_s2, 0.0))?.y;
         let [nx, ny, _] = self.grid.face_counts(1);
+        let [_, above] = faces(&self.grid, 1, j * nx);
         for plane in self.accelerations()[1].chunks_exact_mut(nx * ny) {
-            for value in &mut plane[j * nx..(j + 2) * nx] {
-                *value = add_clamped(*value, 0.5 * acceleration, MAX_ACCELERATION_M_S2);
+            for row in [j * nx, above] {
+                for value in &mut plane[row..row + nx] {
+                    *value = add_clamped(*value, 0.5 * acceleration, MAX_ACCELERATION_M_S2);
+                }
             }
         }
         Ok(())

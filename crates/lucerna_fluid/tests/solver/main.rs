@@ -9,5 +9,6 @@ mod robust;
 mod saving;
 mod scalars;
 mod sides;
+mod sources;
 mod support;
 mod viscous;
