@@ -18,8 +18,8 @@ use crate::lanes::{max_abs, sum, sum_squares};
 use crate::limits::MAX_SPEED_M_S;
 use crate::parallel::{Partial, reduce_planes};
 use direct::DirectSolver;
-pub(crate) use operators::divergence_plane;
-use operators::{speeds, subtract_gradient};
+use operators::subtract_gradient;
+pub(crate) use operators::{divergence_plane, speeds};
 
 /// How the pressure is found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]

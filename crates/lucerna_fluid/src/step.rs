@@ -30,6 +30,7 @@ impl Clock {
 }
 
 impl Fluid {
+    /// All stages once. What was added for the step stays: it may be divided into parts.
     pub(crate) fn advance(&mut self, scratch: &mut Scratch, dt_s: f32) -> StepReport {
         let mut clock = Clock::start();
         let mut times = StageTimes::default();
@@ -43,7 +44,6 @@ impl Fluid {
         times.viscosity_ms = clock.lap_ms();
         let projected = self.project(scratch, self.sources.has_expansion);
         times.pressure_ms = clock.lap_ms();
-        self.sources.clear();
         let mut report = self.report(scratch, dt_s, projected);
         times.report_ms = clock.lap_ms();
         report.times = times;
