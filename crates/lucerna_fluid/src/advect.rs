@@ -6,4 +6,4 @@ mod flux;
 mod packs;
 mod semi_lagrangian;
 
-pub(crate) use energy::energy_plane;
+pub(crate) use energy::energy;

@@ -24,8 +24,6 @@ pub(crate) struct Settings {
     pub(crate) ambient_k: f32,
     pub(crate) cooling_per_s: f32,
     pub(crate) thermal_diffusivity_m2_s: f32,
-    pub(crate) cfl_limit: Option<f32>,
-    pub(crate) max_substeps: u32,
 }
 
 /// What time changes.
@@ -172,14 +170,8 @@ impl Fluid {
     /// Subtracts the gradient that leaves the divergence asked for.
     pub(crate) fn project(&mut self, scratch: &mut Scratch, with_expansion: bool) -> Projected {
         let expansion = with_expansion.then_some(self.sources.expansion.as_slice());
-        let mut projection = Projection {
-            grid: &self.grid,
-            method: self.pressure,
-            tables: &self.tables,
-            divergence: &mut scratch.divergence,
-            spare: &mut scratch.spare,
-            partials: &mut scratch.partials,
-        };
+        let mut projection =
+            Projection { grid: &self.grid, tables: &self.tables, mask: None, spare: &mut scratch.pressure };
         projection.project(&mut self.state.velocity, expansion, &mut self.state.potential)
     }
 
@@ -195,8 +187,7 @@ impl Fluid {
     }
 
     /// Advances by `dt_s` seconds, above 0 and up to 1e3, and uses up what was added since the
-    /// last step. Any such step is stable; for accuracy keep [`StepReport::cfl`] below about 3, or let
-    /// [`crate::FluidBuilder::cfl_limit`] divide the step.
+    /// last step. Any such step is stable; for accuracy keep [`StepReport::cfl`] below about 3.
     ///
     /// # Errors
     /// A length of step out of its range; nothing has changed then.
@@ -209,9 +200,9 @@ impl Fluid {
     pub(crate) fn step_with(&mut self, scratch: &mut Scratch, dt_s: f32) -> StepReport {
         if self.grid.exec.is_parallel {
             // Enter the thread pool once, not once for each pass over the planes.
-            rayon::scope(|_| self.advance_in_parts(scratch, dt_s))
+            rayon::scope(|_| self.advance(scratch, dt_s))
         } else {
-            self.advance_in_parts(scratch, dt_s)
+            self.advance(scratch, dt_s)
         }
     }
 }

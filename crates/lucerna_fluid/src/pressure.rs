@@ -1,25 +1,32 @@
 //! Projection: the part of the velocity that is free of divergence (or has the prescribed one).
 
+mod along_x;
+mod along_y;
+mod along_z;
 mod basis;
+mod conjugate;
 mod direct;
+mod figures;
 mod gauss_seidel;
-mod gemm;
-#[allow(dead_code, reason = "obstacles make it")]
+mod lines;
 mod mask;
 mod operators;
-#[allow(dead_code, reason = "obstacles make it")]
 mod regions;
+#[cfg(test)]
+mod tests;
 
 use serde::{Deserialize, Serialize};
 
 use crate::field::Field;
 use crate::grid::Grid;
-use crate::lanes::{max_abs, sum, sum_squares};
 use crate::limits::MAX_SPEED_M_S;
-use crate::parallel::{Partial, reduce_planes};
 use direct::DirectSolver;
+use figures::{Figures, measure, measure_divergence};
+use lines::Lanes;
+#[allow(unused_imports, reason = "obstacles make it")]
+pub(crate) use mask::Mask;
 use operators::subtract_gradient;
-pub(crate) use operators::{divergence_plane, speeds};
+pub(crate) use operators::{divergence_plane, slices};
 
 /// How the pressure is found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -40,40 +47,79 @@ pub enum PressureSolver {
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Projected {
     pub(crate) residual: f32,
+    pub(crate) iterations: u32,
+    /// Greatest divergence, 1/s.
     pub(crate) max_before: f32,
     pub(crate) max_after: f32,
+    /// Root mean square divergence over the cells of air, 1/s.
+    pub(crate) rms_before: f32,
+    pub(crate) rms_after: f32,
+    /// Root mean square speeds, m/s.
+    pub(crate) rms_speed_before: f32,
+    pub(crate) rms_speed: f32,
     pub(crate) speed_before: f32,
     /// Greatest speed through a face, by axis.
     pub(crate) speeds: [f32; 3],
 }
 
+/// Root mean square divergence, times the shortest edge of a cell, over the root mean square
+/// speed, that conjugate gradients stop at; half of it is rounding.
+const TOLERANCE: f64 = 5.0e-6;
+
 /// What a solver computes once for a grid.
-pub(crate) struct Tables {
-    direct: Option<DirectSolver>,
+pub(crate) struct Tables(Method);
+
+enum Method {
+    Direct(DirectSolver),
+    /// The mask of a box without obstacles.
+    GaussSeidel {
+        empty: Mask,
+        sweeps: u32,
+    },
 }
 
 impl Tables {
     pub(crate) fn new(grid: &Grid, method: PressureSolver) -> Self {
-        Self { direct: (method == PressureSolver::Direct).then(|| DirectSolver::new(grid)) }
+        Self(match method {
+            PressureSolver::Direct => Method::Direct(DirectSolver::new(grid)),
+            PressureSolver::GaussSeidel { sweeps } => Method::GaussSeidel { empty: Mask::new(grid, &[]), sweeps },
+        })
+    }
+}
+
+/// Arrays that a projection works in.
+pub(crate) struct Spare {
+    divergence: Vec<f32>,
+    modes: Vec<Lanes>,
+    /// One a plane of cells.
+    figures: Vec<Figures>,
+    conjugate: conjugate::Spare,
+}
+
+impl Spare {
+    pub(crate) fn new(grid: &Grid) -> Self {
+        Self {
+            divergence: vec![0.0; grid.count()],
+            modes: direct::mode_space(grid),
+            figures: vec![Figures::default(); grid.cells[2]],
+            conjugate: conjugate::Spare::default(),
+        }
     }
 }
 
 /// A projection about to be made.
 pub(crate) struct Projection<'a> {
     pub(crate) grid: &'a Grid,
-    pub(crate) method: PressureSolver,
     pub(crate) tables: &'a Tables,
-    /// One value a cell, as `spare`.
-    pub(crate) divergence: &'a mut [f32],
-    pub(crate) spare: &'a mut [f32],
-    /// One a plane of faces.
-    pub(crate) partials: &'a mut [Partial],
+    /// Cells that obstacles fill. Faces beside them keep the velocity that they have.
+    pub(crate) mask: Option<&'a Mask>,
+    pub(crate) spare: &'a mut Spare,
 }
 
 impl Projection<'_> {
-    /// Subtracts the gradient that makes `div velocity = expansion`. In a sealed box the mean of
-    /// the expansion is left out: nothing can get away. `potential` is the velocity potential,
-    /// pressure times dt over density, m²/s.
+    /// Subtracts the gradient that makes `div velocity = expansion`. In a region without an open
+    /// side the mean of what is missing is left out: nothing can get away. `potential` is the
+    /// velocity potential, pressure times dt over density, m²/s.
     pub(crate) fn project(
         &mut self,
         velocity: &mut [Field; 3],
@@ -81,57 +127,83 @@ impl Projection<'_> {
         potential: &mut [f32],
     ) -> Projected {
         let grid = self.grid;
-        let speed_before = speeds(grid, velocity, self.partials).into_iter().fold(0.0, f32::max);
-        let mut before = self.measure(velocity, expansion, 0.0);
+        let mut before = self.measure(slices(velocity), expansion, 0.0);
         let mut mean = 0.0;
-        if grid.is_sealed() {
-            mean = (before.sum / grid.count() as f64) as f32;
-            before = self.measure(velocity, expansion, mean);
-        }
-        match (&self.tables.direct, self.method) {
-            (None, PressureSolver::GaussSeidel { sweeps }) => {
-                gauss_seidel::solve(grid, self.divergence, potential, sweeps);
+        let mask = match &self.tables.0 {
+            Method::GaussSeidel { empty, .. } => Some(self.mask.unwrap_or(empty)),
+            Method::Direct(_) => self.mask,
+        };
+        let cells = mask.map_or(grid.count(), Mask::fluid_cells).max(1) as f64;
+        let fluid_rms = |figures: &Figures| (figures.squares / cells).sqrt();
+        if let Some(mask) = mask {
+            self.keep_fluid(mask, &mut before);
+        } else if grid.is_sealed() {
+            mean = (before.sum / cells) as f32;
+            // Taking it out of the sum of squares will do where it is small.
+            if f64::from(mean).powi(2) * cells > 1.0e-3 * before.squares {
+                before = self.measure(slices(velocity), expansion, mean);
+            } else {
+                before.squares -= f64::from(mean).powi(2) * cells;
+                (before.low, before.high) = (before.low - mean, before.high - mean);
             }
-            (Some(direct), _) => {
-                potential.copy_from_slice(self.divergence);
-                direct.solve(grid, potential, self.spare);
-            }
-            (None, PressureSolver::Direct) => {}
         }
-        subtract_gradient(grid, potential, velocity);
-        let mut speeds = speeds(grid, velocity, self.partials);
-        let fastest = speeds.into_iter().fold(0.0, f32::max);
+        let rms_speed_before = before.rms_speed(grid);
+        let mut iterations = 0;
+        let Spare { divergence, modes, conjugate, .. } = &mut *self.spare;
+        match (&self.tables.0, mask) {
+            (Method::GaussSeidel { sweeps, .. }, Some(mask)) => {
+                gauss_seidel::solve(grid, mask, divergence, potential, *sweeps);
+                iterations = *sweeps;
+            }
+            (Method::Direct(direct), Some(mask)) => {
+                let tolerance = TOLERANCE * rms_speed_before / f64::from(grid.shortest_m());
+                let problem = conjugate::Problem { grid, mask, direct, tolerance };
+                iterations = conjugate::solve(&problem, divergence, potential, modes, conjugate);
+            }
+            (Method::Direct(direct), None) => {
+                direct.analyze(grid, divergence, modes);
+                direct.synthesize(grid, modes, potential);
+            }
+            (Method::GaussSeidel { .. }, None) => {}
+        }
+        subtract_gradient(grid, potential, mask, velocity.each_mut().map(|field| field.data.as_mut_slice()));
+        let mut after = self.measure(slices(velocity), expansion, mean);
+        let fastest = after.speeds.into_iter().fold(0.0, f32::max);
         if fastest > MAX_SPEED_M_S {
             let scale = MAX_SPEED_M_S / fastest;
             velocity.iter_mut().flat_map(|field| &mut field.data).for_each(|value| *value *= scale);
-            speeds = speeds.map(|speed| speed * scale);
+            after = self.measure(slices(velocity), expansion, mean);
         }
-        let after = self.measure(velocity, expansion, mean);
+        if let Some(mask) = mask {
+            self.keep_fluid(mask, &mut after);
+        }
         let residual = if before.squares > 0.0 { (after.squares / before.squares).sqrt() as f32 } else { 0.0 };
-        Projected { residual, max_before: before.max, max_after: after.max, speed_before, speeds }
+        Projected {
+            residual,
+            iterations,
+            max_before: before.greatest(),
+            max_after: after.greatest(),
+            rms_before: fluid_rms(&before) as f32,
+            rms_after: fluid_rms(&after) as f32,
+            rms_speed_before: rms_speed_before as f32,
+            rms_speed: after.rms_speed(grid) as f32,
+            speed_before: before.speeds.into_iter().fold(0.0, f32::max),
+            speeds: after.speeds,
+        }
     }
 
-    /// Fills `divergence` with `div velocity - expansion - mean`; returns its sums and maximum.
-    fn measure(&mut self, velocity: &[Field; 3], expansion: Option<&[f32]>, mean: f32) -> Partial {
-        let grid = self.grid;
-        let plane = grid.plane();
-        reduce_planes(
-            grid.exec,
-            self.divergence,
-            plane,
-            self.partials,
-            #[inline(always)]
-            |k, out| {
-                divergence_plane(grid, velocity, k, out);
-                if let Some(expansion) = expansion {
-                    let rates = &expansion[k * plane..(k + 1) * plane];
-                    out.iter_mut().zip(rates).for_each(|(value, rate)| *value -= rate);
-                }
-                if mean != 0.0 {
-                    out.iter_mut().for_each(|value| *value -= mean);
-                }
-                Partial { sum: sum(out), squares: sum_squares(out), max: max_abs(out) }
-            },
-        )
+    /// Fills the divergence with `div velocity - expansion - mean`; measures it and the velocity.
+    fn measure(&mut self, velocity: [&[f32]; 3], expansion: Option<&[f32]>, mean: f32) -> Figures {
+        let Spare { divergence, figures, .. } = &mut *self.spare;
+        measure(self.grid, velocity, expansion, mean, divergence, figures)
+    }
+
+    /// Clears the divergence of solid cells and the means of sealed regions; measures what is left.
+    fn keep_fluid(&mut self, mask: &Mask, figures: &mut Figures) {
+        let Spare { divergence, figures: planes, conjugate, .. } = &mut *self.spare;
+        mask.clear_solid(self.grid, divergence);
+        mask.regions().remove_means(self.grid, divergence, &mut conjugate.sums);
+        let Figures { sum, squares, low, high, .. } = measure_divergence(self.grid, divergence, planes);
+        *figures = Figures { sum, squares, low, high, ..*figures };
     }
 }

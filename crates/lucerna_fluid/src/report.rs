@@ -17,13 +17,27 @@ pub struct StepReport {
     pub divergence_after: f32,
     /// Greatest divergence after the projection, 1/s.
     pub divergence_after_per_s: f32,
+    /// Root mean square divergence before the projection, relative: times the shortest edge of
+    /// a cell, over the root mean square speed that the projection met or left, whichever is
+    /// greater. The mean is over the cells of air; in a region without an open side the mean of
+    /// the divergence itself is taken out first, as nothing can get away from there.
+    pub rms_divergence_before: f32,
+    /// The same after the projection, over the same speed: the measure of how well the pressure
+    /// was solved for. Rounding leaves 1e-7 to 1e-5.
+    pub rms_divergence_after: f32,
+    /// Root mean square divergence after the projection, 1/s.
+    pub rms_divergence_after_per_s: f32,
+    /// Root mean square speed after the projection, m/s: of each component over all its faces,
+    /// those on the sides and in obstacles too; squares added over the components.
+    pub rms_speed_m_s: f32,
     /// Greatest speed through a face, m/s.
     pub max_speed_m_s: f32,
     /// Courant number: cells that the fastest face velocity crosses in this step.
     pub cfl: f32,
     /// Highest temperature above ambient, K.
     pub max_temperature_k: f32,
-    /// Iterations of the pressure solver; 0 where it is solved directly.
+    /// Iterations of the pressure solver: of conjugate gradients around obstacles, sweeps of
+    /// Gauss-Seidel; 0 where it is solved directly.
     pub pressure_iterations: u32,
     /// Parts into which the step was divided; see [`crate::FluidBuilder::cfl_limit`].
     pub substeps: u32,

@@ -7,10 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::builder::FluidBuilder;
 use crate::error::FluidError;
-use crate::fluid::{Fluid, Settings, Sources, State};
-use crate::grid::Grid;
-use crate::sides::GivenSides;
-use crate::source::{Placed, SavedSources};
+use crate::fluid::{Fluid, Sources};
 
 /// Version of what is saved; rises whenever that changes.
 const VERSION: u32 = 1;
@@ -40,7 +37,6 @@ const VERSION: u32 = 1;
 pub struct Snapshot {
     version: u32,
     setup: FluidBuilder,
-    given: GivenSides,
     state: SavedState,
     pending: Pending,
 }
@@ -63,7 +59,6 @@ struct Pending {
     expansion: Vec<f32>,
     /// One for each scalar, or none at all.
     scalars: Vec<Vec<f32>>,
-    placed: SavedSources,
 }
 
 /// Why a saved fluid was refused. Nothing has changed then.
@@ -118,69 +113,43 @@ pub enum SnapshotError {
 impl Fluid {
     /// The description that would make a fluid with the present settings.
     pub(crate) fn setup(&self) -> FluidBuilder {
-        // Every field by name: a new one is not to be forgotten.
-        let Settings {
-            wind_m_s,
-            viscosity_m2_s,
-            vorticity_confinement,
-            ambient_k,
-            cooling_per_s,
-            thermal_diffusivity_m2_s,
-            cfl_limit,
-            max_substeps,
-        } = self.settings;
         FluidBuilder {
             cells: self.grid.cells,
             origin: self.grid.origin,
             size_m: self.grid.size_m,
             sides: self.sides,
-            wind_m_s,
-            viscosity_m2_s,
-            vorticity_confinement,
-            ambient_k,
-            cooling_per_s,
-            thermal_diffusivity_m2_s,
-            cfl_limit,
-            max_substeps,
+            wind_m_s: self.settings.wind_m_s,
+            viscosity_m2_s: self.settings.viscosity_m2_s,
+            vorticity_confinement: self.settings.vorticity_confinement,
+            ambient_k: self.settings.ambient_k,
+            cooling_per_s: self.settings.cooling_per_s,
             pressure: self.pressure,
             scalars: self.scalars.clone(),
         }
     }
 
-    /// A copy of all that makes this fluid go on as it would. Allocates 24 bytes a cell and what
+    /// A copy of all that makes this fluid go on as it would, but for what
+    /// [`Fluid::add_source`] and [`Fluid::attach_source`] placed. Allocates 24 bytes a cell and what
     /// was added for the coming step.
     #[must_use]
     pub fn save(&self) -> Snapshot {
-        let State { velocity, temperature, packs, potential } = &self.state;
-        let Sources {
-            acceleration,
-            has_acceleration,
-            heat,
-            has_heat,
-            expansion,
-            has_expansion,
-            scalars,
-            has_scalars,
-            placed,
-        } = &self.sources;
-        let when = |is_there: &bool, values: &Vec<f32>| if *is_there { values.clone() } else { Vec::new() };
+        let (state, sources) = (&self.state, &self.sources);
+        let when = |is_there: bool, values: &Vec<f32>| if is_there { values.clone() } else { Vec::new() };
         Snapshot {
             version: VERSION,
             setup: self.setup(),
-            given: self.given.clone(),
             state: SavedState {
-                velocity: velocity.each_ref().map(|field| field.data.clone()),
-                temperature: temperature.data.clone(),
-                packs: packs.clone(),
-                potential: potential.clone(),
+                velocity: state.velocity.each_ref().map(|field| field.data.clone()),
+                temperature: state.temperature.data.clone(),
+                packs: state.packs.clone(),
+                potential: state.potential.clone(),
                 max_speed_m_s: self.max_speed_m_s,
             },
             pending: Pending {
-                acceleration: acceleration.each_ref().map(|values| when(has_acceleration, values)),
-                heat: when(has_heat, heat),
-                expansion: when(has_expansion, expansion),
-                scalars: if *has_scalars { scalars.clone() } else { Vec::new() },
-                placed: placed.saved(),
+                acceleration: sources.acceleration.each_ref().map(|values| when(sources.has_acceleration, values)),
+                heat: when(sources.has_heat, &sources.heat),
+                expansion: when(sources.has_expansion, &sources.expansion),
+                scalars: if sources.has_scalars { sources.scalars.clone() } else { Vec::new() },
             },
         }
     }
@@ -195,8 +164,7 @@ impl Fluid {
     pub fn load(snapshot: &Snapshot) -> Result<Self, SnapshotError> {
         snapshot.check()?;
         let mut fluid = snapshot.setup.clone().build()?;
-        let placed = Placed::from_saved(&snapshot.pending.placed, &fluid.grid, &fluid.scalars)?;
-        snapshot.copy_into(&mut fluid, placed);
+        snapshot.copy_into(&mut fluid);
         Ok(fluid)
     }
 
@@ -211,19 +179,17 @@ impl Fluid {
             return Err(SnapshotError::Shape);
         }
         let settings = snapshot.check()?;
-        let grid = Grid { origin: snapshot.setup.origin, ..self.grid.clone() };
-        let placed = Placed::from_saved(&snapshot.pending.placed, &grid, &self.scalars)?;
-        self.grid = grid;
+        self.grid.origin = snapshot.setup.origin;
         self.settings = settings;
         self.scalars.clone_from(&snapshot.setup.scalars);
-        snapshot.copy_into(self, placed);
+        snapshot.copy_into(self);
         Ok(())
     }
 }
 
 impl Snapshot {
     /// Copies arrays that have been checked into a fluid of their shape.
-    fn copy_into(&self, fluid: &mut Fluid, placed: Placed) {
+    fn copy_into(&self, fluid: &mut Fluid) {
         let SavedState { velocity, temperature, packs, potential, max_speed_m_s } = &self.state;
         for (field, saved) in fluid.state.velocity.iter_mut().zip(velocity) {
             field.data.copy_from_slice(saved);
@@ -232,8 +198,9 @@ impl Snapshot {
         fluid.state.packs.clone_from(packs);
         fluid.state.potential.copy_from_slice(potential);
         fluid.max_speed_m_s = *max_speed_m_s;
-        fluid.given.clone_from(&self.given);
-        let Pending { acceleration, heat, expansion, scalars, placed: _ } = self.pending.clone();
+        let Pending { acceleration, heat, expansion, scalars } = self.pending.clone();
+        let mut placed = std::mem::take(&mut fluid.sources.placed);
+        placed.clear();
         fluid.sources = Sources {
             has_acceleration: acceleration.iter().any(|values| !values.is_empty()),
             acceleration,

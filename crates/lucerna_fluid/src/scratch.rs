@@ -4,8 +4,8 @@ use crate::confinement::Confinement;
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::parallel::Partial;
+use crate::pressure;
 use crate::scalars::Pack;
-use crate::viscosity::Coefficients;
 
 /// Taken once; a step allocates nothing.
 pub(crate) struct Scratch {
@@ -16,10 +16,7 @@ pub(crate) struct Scratch {
     /// The way that the air of each cell went; see `advect::semi_lagrangian`.
     pub(crate) trace: Vec<f32>,
     pub(crate) confinement: Confinement,
-    /// Of viscosity and conduction that vary.
-    pub(crate) coefficients: Coefficients,
-    pub(crate) divergence: Vec<f32>,
-    pub(crate) spare: Vec<f32>,
+    pub(crate) pressure: pressure::Spare,
     /// One a plane of faces.
     pub(crate) partials: Vec<Partial>,
 }
@@ -33,9 +30,7 @@ impl Scratch {
             next_pack: Vec::new(),
             trace: vec![0.0; 3 * count],
             confinement: Confinement::default(),
-            coefficients: Coefficients::default(),
-            divergence: vec![0.0; count],
-            spare: vec![0.0; count],
+            pressure: pressure::Spare::new(grid),
             partials: vec![Partial::default(); grid.cells[2] + 1],
         }
     }

@@ -10,7 +10,7 @@ use crate::pressure::Projected;
 use crate::report::{StageTimes, StepReport};
 use crate::scratch::Scratch;
 use crate::sides::{Walls, fix_sides, push_wind};
-use crate::viscosity::{Diffusivity, Held, diffuse_scalar, diffuse_velocity};
+use crate::viscosity::{Diffusivity, diffuse_scalar, diffuse_velocity};
 
 /// Takes the time of each stage. There is no clock on bare WebAssembly: all times are zero.
 struct Clock(Option<Instant>);
@@ -30,7 +30,6 @@ impl Clock {
 }
 
 impl Fluid {
-    /// All stages once. What was added for the step stays: it may be divided into parts.
     pub(crate) fn advance(&mut self, scratch: &mut Scratch, dt_s: f32) -> StepReport {
         let mut clock = Clock::start();
         let mut times = StageTimes::default();
@@ -44,6 +43,7 @@ impl Fluid {
         times.viscosity_ms = clock.lap_ms();
         let projected = self.project(scratch, self.sources.has_expansion);
         times.pressure_ms = clock.lap_ms();
+        self.sources.clear();
         let mut report = self.report(scratch, dt_s, projected);
         times.report_ms = clock.lap_ms();
         report.times = times;
@@ -74,17 +74,14 @@ impl Fluid {
         let Self { grid, state, settings, given, .. } = self;
         let walls = Walls::of(settings, given);
         fix_sides(grid, &mut state.velocity, walls);
-        let held = Held::default();
-        let viscosity = Diffusivity { uniform_m2_s: settings.viscosity_m2_s, eddy_m2_s: None };
-        let Scratch { next_velocity, next_temperature, coefficients, .. } = scratch;
+        let viscosity = Diffusivity { uniform_m2_s: settings.viscosity_m2_s };
         if viscosity.acts() {
-            diffuse_velocity(grid, &mut state.velocity, viscosity, dt_s, walls, held, next_velocity, coefficients);
+            diffuse_velocity(grid, &mut state.velocity, viscosity, dt_s, walls, &mut scratch.next_velocity);
             fix_sides(grid, &mut state.velocity, walls);
         }
-        let conduction = Diffusivity { uniform_m2_s: settings.thermal_diffusivity_m2_s, eddy_m2_s: None };
+        let conduction = Diffusivity { uniform_m2_s: settings.thermal_diffusivity_m2_s };
         if conduction.acts() {
-            let (field, sides) = (&mut state.temperature, given.temperature_k);
-            diffuse_scalar(grid, field, conduction, dt_s, sides, held, next_temperature, coefficients);
+            diffuse_scalar(grid, &mut state.temperature, conduction, dt_s, given, &mut scratch.next_temperature);
         }
     }
 
@@ -103,8 +100,15 @@ impl Fluid {
         let speed = max_speed_m_s.max(projected.speed_before);
         let relative = |rate: f32| if speed > 0.0 { rate * grid.shortest_m() / speed } else { 0.0 };
         let crossed = projected.speeds.into_iter().zip(grid.cell_m).map(|(speed, edge)| speed * dt_s / edge);
+        let rms_speed = projected.rms_speed.max(projected.rms_speed_before);
+        let rms_relative = |rate: f32| if rms_speed > 0.0 { rate * grid.shortest_m() / rms_speed } else { 0.0 };
         StepReport {
             dt_s,
+            pressure_iterations: projected.iterations,
+            rms_divergence_before: rms_relative(projected.rms_before),
+            rms_divergence_after: rms_relative(projected.rms_after),
+            rms_divergence_after_per_s: projected.rms_after,
+            rms_speed_m_s: projected.rms_speed,
             pressure_residual: projected.residual,
             divergence_before: relative(projected.max_before),
             divergence_after: relative(projected.max_after),

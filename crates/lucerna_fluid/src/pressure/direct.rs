@@ -1,133 +1,81 @@
-//! The Poisson equation solved directly: eigenvectors along x and z, a tridiagonal system
-//! along y. Exact to rounding for any counts and any sides. R. W. Hockney, JACM 12, 1965.
+//! The Poisson equation solved directly: eigenvectors along x and z, tridiagonal systems along y.
+//! Exact to rounding for any counts and any sides. R. W. Hockney, JACM 12, 1965.
+//!
+//! Sixteen x modes of the whole grid make a block. A block is found, transformed along z, solved
+//! along y and transformed back along z while it stays in the cache.
 
-use super::basis::{Basis, ends};
-use super::gemm::multiply;
+use super::along_x::AlongX;
+use super::along_y::AlongY;
+use super::along_z::AlongZ;
+use super::basis::{Basis, Ends};
+use super::lines::{LANES, Lanes};
 use crate::grid::Grid;
-use crate::parallel::{Execution, for_planes};
-
-/// Planes of the transform along z that are computed together.
-const PLANE_GROUP: usize = 4;
+use crate::parallel::for_planes;
 
 /// Tables for one grid.
 pub(crate) struct DirectSolver {
-    along_x: Basis,
-    along_z: Basis,
-    /// Reciprocal pivots of the tridiagonal systems, m²: `[z mode][y][x mode]`.
-    reciprocal_pivots: Vec<f32>,
-    /// Minus the off-diagonal of the tridiagonal systems, 1/m².
-    coupling: f32,
+    along_x: AlongX,
+    along_y: AlongY,
+    along_z: AlongZ,
+}
+
+/// Values in a block of x modes: the modes, and what the transform along z works in.
+fn block_size(grid: &Grid) -> usize {
+    let [_, ny, nz] = grid.cells;
+    nz * (ny | 1) + AlongZ::spare(nz)
+}
+
+/// The array of modes that a solve works in.
+pub(crate) fn mode_space(grid: &Grid) -> Vec<Lanes> {
+    vec![Lanes::ZERO; grid.cells[0].div_ceil(LANES) * block_size(grid)]
 }
 
 impl DirectSolver {
     pub(crate) fn new(grid: &Grid) -> Self {
         let [nx, ny, nz] = grid.cells;
-        let along_x = Basis::new(nx, grid.cell_m[0], ends(grid.sides[0]));
-        let along_z = Basis::new(nz, grid.cell_m[2], ends(grid.sides[2]));
-        let coupling = 1.0 / f64::from(grid.cell_m[1]).powi(2);
-        let is_fixed = ends(grid.sides[1]);
-        let mut reciprocal_pivots = vec![0.0_f32; grid.count()];
-        for (kz, plane) in reciprocal_pivots.chunks_mut(nx * ny).enumerate() {
-            for kx in 0..nx {
-                let modes = along_x.eigenvalues[kx] + along_z.eigenvalues[kz];
-                let mut previous = f64::INFINITY;
-                for j in 0..ny {
-                    let low = neighbour_weight(j > 0, is_fixed[0]);
-                    let high = neighbour_weight(j + 1 < ny, is_fixed[1]);
-                    let pivot = modes + coupling * (low + high) - coupling * coupling / previous;
-                    // The last pivot of the constant mode of a sealed box is zero: pin its pressure.
-                    let is_singular = pivot <= 1e-9 * coupling;
-                    plane[j * nx + kx] = if is_singular { 0.0 } else { (1.0 / pivot) as f32 };
-                    previous = pivot;
+        let ends = grid.sides.map(Ends::new);
+        let basis_x = Basis::new(nx, grid.cell_m[0], ends[0]);
+        let basis_z = Basis::new(nz, grid.cell_m[2], ends[2]);
+        Self {
+            along_x: AlongX::new(&basis_x),
+            along_y: AlongY::new(ny, grid.cell_m[1], ends[1], &basis_x, &basis_z),
+            along_z: AlongZ::new(&basis_z),
+        }
+    }
+
+    /// First half of a solve of `Laplacian(solution) = values`, one value a cell; fills `modes`,
+    /// which [`mode_space`] made.
+    pub(crate) fn analyze(&self, grid: &Grid, values: &[f32], modes: &mut [Lanes]) {
+        let [_, ny, nz] = grid.cells;
+        let (plane, stride) = (grid.plane(), self.along_y.stride);
+        for_planes(
+            grid.exec,
+            modes,
+            block_size(grid),
+            #[inline(always)]
+            |block, values_and_spare| {
+                let (modes, spare) = values_and_spare.split_at_mut(nz * stride);
+                for (rows, out) in values.chunks_exact(plane).zip(modes.chunks_exact_mut(stride)) {
+                    self.along_x.forward(block, rows, &mut out[..ny]);
                 }
-            }
-        }
-        Self { along_x, along_z, reciprocal_pivots, coupling: coupling as f32 }
-    }
-
-    /// Replaces `values` by the solution of `Laplacian(solution) = values`; both arrays hold one
-    /// value a cell.
-    pub(crate) fn solve(&self, grid: &Grid, values: &mut [f32], spare: &mut [f32]) {
-        let [nx, ny, nz] = grid.cells;
-        let plane = nx * ny;
-        let exec = grid.exec;
-        for_planes(
-            exec,
-            spare,
-            plane,
-            #[inline(always)]
-            |k, out| {
-                multiply(out, &values[k * plane..(k + 1) * plane], &self.along_x.synthesis, nx, nx);
-            },
-        );
-        transform_z(exec, values, &self.along_z.analysis, spare, nz, plane);
-        for_planes(
-            exec,
-            values,
-            plane,
-            #[inline(always)]
-            |kz, modes| {
-                let reciprocals = &self.reciprocal_pivots[kz * plane..(kz + 1) * plane];
-                solve_columns(modes, reciprocals, self.coupling, nx);
-            },
-        );
-        transform_z(exec, spare, &self.along_z.synthesis, values, nz, plane);
-        for_planes(
-            exec,
-            values,
-            plane,
-            #[inline(always)]
-            |k, out| {
-                multiply(out, &spare[k * plane..(k + 1) * plane], &self.along_x.analysis, nx, nx);
+                self.along_z.forward(modes, stride, ny, spare);
+                self.along_y.solve(block, modes);
+                self.along_z.backward(modes, stride, ny, spare);
             },
         );
     }
-}
 
-/// What an end of a cell adds to the diagonal, in units of the coupling: a neighbour inside, a
-/// face with fixed flow, or zero pressure half a cell away.
-fn neighbour_weight(is_inside: bool, is_fixed: bool) -> f64 {
-    match (is_inside, is_fixed) {
-        (true, _) => 1.0,
-        (false, true) => 0.0,
-        (false, false) => 2.0,
-    }
-}
-
-/// A matrix applied across the planes.
-fn transform_z(exec: Execution, out: &mut [f32], matrix: &[f32], values: &[f32], nz: usize, plane: usize) {
-    for_planes(
-        exec,
-        out,
-        PLANE_GROUP * plane,
-        #[inline(always)]
-        |group, planes| {
-            multiply(planes, &matrix[group * PLANE_GROUP * nz..], values, nz, plane);
-        },
-    );
-}
-
-/// Thomas's algorithm for all columns of a plane at once, in place, for the negated system.
-#[inline(always)]
-fn solve_columns(values: &mut [f32], reciprocals: &[f32], coupling: f32, nx: usize) {
-    let rows = values.len() / nx;
-    for (value, reciprocal) in values.iter_mut().zip(&reciprocals[..nx]) {
-        *value *= -reciprocal;
-    }
-    for j in 1..rows {
-        let (done, rest) = values.split_at_mut(j * nx);
-        let below = &done[(j - 1) * nx..];
-        let reciprocal_row = &reciprocals[j * nx..(j + 1) * nx];
-        for ((value, low), reciprocal) in rest[..nx].iter_mut().zip(below).zip(reciprocal_row) {
-            *value = (coupling * low - *value) * reciprocal;
-        }
-    }
-    for j in (0..rows - 1).rev() {
-        let (rest, done) = values.split_at_mut((j + 1) * nx);
-        let above = &done[..nx];
-        let reciprocal_row = &reciprocals[j * nx..(j + 1) * nx];
-        for ((value, high), reciprocal) in rest[j * nx..].iter_mut().zip(above).zip(reciprocal_row) {
-            *value += coupling * reciprocal * high;
-        }
+    /// Second half: fills the solution. In a sealed box its mean is zero, and the mean of the
+    /// right-hand side has been left out.
+    pub(crate) fn synthesize(&self, grid: &Grid, modes: &[Lanes], solution: &mut [f32]) {
+        let stride = self.along_y.stride;
+        let block = block_size(grid);
+        for_planes(
+            grid.exec,
+            solution,
+            grid.plane(),
+            #[inline(always)]
+            |k, out| self.along_x.backward(&modes[k * stride..], block, out),
+        );
     }
 }

@@ -1,43 +1,47 @@
 //! The Poisson equation by Gauss-Seidel sweeps in the order of the cells, from zero: what
 //! Stam's program and most that follow it do. It stops long before it has converged.
 
-use super::basis::ends;
+use super::mask::Mask;
 use crate::grid::Grid;
+use crate::sides::Side;
 
-/// Runs `sweeps` sweeps on `Laplacian(solution) = values`. Serial: each cell needs the one before.
-pub(crate) fn solve(grid: &Grid, values: &[f32], solution: &mut [f32], sweeps: u32) {
+/// Runs `sweeps` sweeps on `Laplacian(solution) = values`, where the pressure acts as the mask
+/// says. Serial: each cell needs the one before.
+pub(crate) fn solve(grid: &Grid, mask: &Mask, values: &[f32], solution: &mut [f32], sweeps: u32) {
     let [nx, ny, nz] = grid.cells;
-    let plane = nx * ny;
-    let weights = grid.cell_m.map(|edge| 1.0 / (edge * edge));
-    let is_fixed = [ends(grid.sides[0]), ends(grid.sides[1]), ends(grid.sides[2])];
-    // Diagonal weight and the neighbours' part along one axis.
-    let along = |solution: &[f32], at: usize, index: usize, count: usize, stride: usize, axis: usize| {
-        let weight = weights[axis];
-        let (mut diagonal, mut sum) = (0.0, 0.0);
-        if index > 0 {
-            diagonal += weight;
-            sum += weight * solution[at - stride];
-        } else if !is_fixed[axis][0] {
-            diagonal += 2.0 * weight;
-        }
-        if index + 1 < count {
-            diagonal += weight;
-            sum += weight * solution[at + stride];
-        } else if !is_fixed[axis][1] {
-            diagonal += 2.0 * weight;
-        }
-        (diagonal, sum)
-    };
+    let strides = [1, nx, nx * ny];
+    let face_strides = [1, nx, nx * ny];
+    let inverse_squares = grid.cell_m.map(|edge| 1.0 / (edge * edge));
+    let is_periodic = grid.sides.map(|sides| sides[0] == Side::Periodic);
     solution.fill(0.0);
     for _ in 0..sweeps {
         for k in 0..nz {
             for j in 0..ny {
                 for i in 0..nx {
-                    let at = i + nx * j + plane * k;
-                    let x = along(solution, at, i, nx, 1, 0);
-                    let y = along(solution, at, j, ny, nx, 1);
-                    let z = along(solution, at, k, nz, plane, 2);
-                    solution[at] = (x.1 + y.1 + z.1 - values[at]) / (x.0 + y.0 + z.0);
+                    let index = [i, j, k];
+                    let cell = i + nx * (j + ny * k);
+                    let faces = [i + (nx + 1) * (j + ny * k), i + nx * (j + (ny + 1) * k), cell];
+                    let (mut diagonal, mut sum) = (0.0, 0.0);
+                    for axis in 0..3 {
+                        let weights = mask.weights(axis);
+                        let (at, last) = (index[axis], grid.cells[axis] - 1);
+                        let across = last * strides[axis];
+                        let low = weights[faces[axis]] * inverse_squares[axis];
+                        let high = weights[faces[axis] + face_strides[axis]] * inverse_squares[axis];
+                        diagonal += low + high;
+                        // Behind an open side the pressure is zero.
+                        if at > 0 {
+                            sum += low * solution[cell - strides[axis]];
+                        } else if is_periodic[axis] {
+                            sum += low * solution[cell + across];
+                        }
+                        if at < last {
+                            sum += high * solution[cell + strides[axis]];
+                        } else if is_periodic[axis] {
+                            sum += high * solution[cell - across];
+                        }
+                    }
+                    solution[cell] = if diagonal > 0.0 { (sum - values[cell]) / diagonal } else { 0.0 };
                 }
             }
         }

@@ -47,6 +47,22 @@ impl Mask {
         &self.solid
     }
 
+    /// Sets the values of solid cells to zero.
+    pub(crate) fn clear_solid(&self, grid: &Grid, values: &mut [f32]) {
+        let plane = grid.plane();
+        for_planes(
+            grid.exec,
+            values,
+            plane,
+            #[inline(always)]
+            |k, values| {
+                for (value, solid) in values.iter_mut().zip(&self.solid[k * plane..(k + 1) * plane]) {
+                    *value = if *solid { 0.0 } else { *value };
+                }
+            },
+        );
+    }
+
     /// Number of cells that are not solid.
     pub(crate) fn fluid_cells(&self) -> usize {
         self.fluid_cells

@@ -48,6 +48,7 @@ pub(crate) struct Regions {
 
 impl Regions {
     /// Number of cells of each sealed region, in the order of their first cells.
+    #[cfg(test)]
     pub(crate) fn cells(&self) -> &[u32] {
         &self.cells
     }
