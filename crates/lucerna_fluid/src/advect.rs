@@ -1,9 +1,15 @@
 //! Advection: moving velocity, temperature and scalars with the air.
 
+mod back;
+mod carrier;
 mod carry;
+mod copy;
 mod energy;
 mod flux;
-mod packs;
-mod semi_lagrangian;
+mod sample;
+mod scheme;
+mod trace;
 
+pub(crate) use carrier::Carrier;
 pub(crate) use energy::energy;
+pub use scheme::{Advection, ScalarAdvection, Trace};

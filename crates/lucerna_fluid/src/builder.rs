@@ -5,6 +5,7 @@ use std::sync::Arc;
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
 
+use crate::advect::{Advection, ScalarAdvection, Trace};
 use crate::error::{FluidError, check, check_vec};
 use crate::fluid::{Fluid, Settings};
 use crate::grid::Grid;
@@ -13,6 +14,7 @@ use crate::pressure::{PressureSolver, Tables};
 use crate::scalars::Scalars;
 use crate::scratch::Scratch;
 use crate::sides::{Side, Sides};
+use crate::simd::{Simd, SimdLevel};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -29,7 +31,11 @@ pub struct FluidBuilder {
     pub(crate) vorticity_confinement: f32,
     pub(crate) ambient_k: f32,
     pub(crate) cooling_per_s: f32,
+    pub(crate) advection: Advection,
+    pub(crate) trace: Trace,
+    pub(crate) scalar_advection: ScalarAdvection,
     pub(crate) pressure: PressureSolver,
+    pub(crate) simd: SimdLevel,
     pub(crate) scalars: Scalars,
 }
 
@@ -47,7 +53,11 @@ impl Fluid {
             vorticity_confinement: 0.0,
             ambient_k: 293.15,
             cooling_per_s: 0.0,
+            advection: Advection::default(),
+            trace: Trace::default(),
+            scalar_advection: ScalarAdvection::default(),
             pressure: PressureSolver::Direct,
+            simd: SimdLevel::default(),
             scalars: Scalars::default(),
         }
     }
@@ -104,6 +114,30 @@ impl FluidBuilder {
     /// Share of the excess temperature lost per second, 1/s, 0 to 1e3. Default: 0.
     pub fn cooling_per_s(mut self, cooling_per_s: f32) -> Self {
         self.cooling_per_s = cooling_per_s;
+        self
+    }
+
+    /// How the velocity carries itself. Default: [`Advection::MacCormack`].
+    pub fn advection(mut self, advection: Advection) -> Self {
+        self.advection = advection;
+        self
+    }
+
+    /// How the way of the air is traced. Default: [`Trace::Midpoint`].
+    pub fn trace(mut self, trace: Trace) -> Self {
+        self.trace = trace;
+        self
+    }
+
+    /// How temperature and scalars are carried. Default: [`ScalarAdvection::Flux`].
+    pub fn scalar_advection(mut self, advection: ScalarAdvection) -> Self {
+        self.scalar_advection = advection;
+        self
+    }
+
+    /// Which vector instructions to use; the bits are the same. Default: [`SimdLevel::Best`].
+    pub fn simd(mut self, simd: SimdLevel) -> Self {
+        self.simd = simd;
         self
     }
 
@@ -170,12 +204,16 @@ impl FluidBuilder {
             ambient_k: check_ambient(self.ambient_k)?,
             cooling_per_s: check_cooling(self.cooling_per_s)?,
             thermal_diffusivity_m2_s: 0.0,
+            advection: self.advection,
+            trace: self.trace,
+            scalar_advection: self.scalar_advection,
         };
         if let PressureSolver::GaussSeidel { sweeps } = self.pressure {
             check("pressure sweeps", sweeps as f32, 1.0, 1.0e4, "1 to 10000")?;
         }
         self.scalars.check()?;
-        let grid = Grid::new(self.cells, self.origin, self.size_m, self.sides.by_axis());
+        let mut grid = Grid::new(self.cells, self.origin, self.size_m, self.sides.by_axis());
+        grid.exec.simd = Simd::of(self.simd);
         Ok((grid, settings))
     }
 }

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use glam::Vec3;
 
+use crate::advect::{Advection, ScalarAdvection, Trace};
 use crate::error::{FluidError, check};
 use crate::field::Field;
 use crate::grid::Grid;
@@ -24,6 +25,9 @@ pub(crate) struct Settings {
     pub(crate) ambient_k: f32,
     pub(crate) cooling_per_s: f32,
     pub(crate) thermal_diffusivity_m2_s: f32,
+    pub(crate) advection: Advection,
+    pub(crate) trace: Trace,
+    pub(crate) scalar_advection: ScalarAdvection,
 }
 
 /// What time changes.

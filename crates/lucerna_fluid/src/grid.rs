@@ -26,6 +26,11 @@ impl Grid {
         Self { cells, cell_m, origin, size_m, sides, exec: Execution { is_parallel, simd: Simd::best() } }
     }
 
+    /// Which axes repeat themselves.
+    pub(crate) fn periodic(&self) -> [bool; 3] {
+        self.sides.map(|sides| sides[0] == Side::Periodic)
+    }
+
     /// Number of cells.
     pub(crate) fn count(&self) -> usize {
         self.cells.iter().product()

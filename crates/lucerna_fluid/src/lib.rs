@@ -55,6 +55,7 @@ mod source;
 mod step;
 mod viscosity;
 
+pub use advect::{Advection, ScalarAdvection, Trace};
 pub use air::{AIR_GAS_CONSTANT_J_KG_K, AIR_HEAT_CAPACITY_J_KG_K, AIR_PRESSURE_PA, air_density_kg_m3};
 pub use batch::FluidBatch;
 pub use builder::FluidBuilder;
@@ -67,4 +68,5 @@ pub use report::{StageTimes, StepReport};
 pub use save::{Snapshot, SnapshotError};
 pub use scalars::{MAX_SCALAR, MAX_SCALARS, ScalarId};
 pub use sides::{Side, SideAt, Sides};
+pub use simd::SimdLevel;
 pub use source::{Couple, ScalarSource, Shape, Source, SourceId};

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::simd::Simd;
+use crate::simd::{Kernel, Simd};
 
 /// How passes over the grid are run.
 #[derive(Clone, Copy, Debug)]
@@ -55,35 +55,6 @@ pub(crate) fn for_planes<T: Send>(
     }
 }
 
-/// As [`for_planes`]; each plane also fills its partial result. Returns their combination.
-pub(crate) fn reduce_planes<T: Send>(
-    exec: Execution,
-    data: &mut [T],
-    plane: usize,
-    partials: &mut [Partial],
-    work: impl Fn(usize, &mut [T]) -> Partial + Sync + Send,
-) -> Partial {
-    let planes = data.len() / plane;
-    if exec.is_parallel {
-        let shared = data.par_chunks_mut(plane).zip(partials.par_iter_mut()).enumerate();
-        shared.for_each(|(k, (values, partial))| {
-            *partial = exec.simd.run(
-                #[inline(always)]
-                || work(k, values),
-            );
-        });
-    } else {
-        let planes = data.chunks_mut(plane).zip(partials.iter_mut()).enumerate();
-        planes.for_each(|(k, (values, partial))| {
-            *partial = exec.simd.run(
-                #[inline(always)]
-                || work(k, values),
-            );
-        });
-    }
-    Partial::combine(&partials[..planes])
-}
-
 /// Fills each plane's partial result without writing to a field. Returns their combination.
 pub(crate) fn reduce(
     exec: Execution,
@@ -98,4 +69,46 @@ pub(crate) fn reduce(
         |k, partial| partial.fill(work(k)),
     );
     Partial::combine(partials)
+}
+
+/// What [`run_planes`] calls for each run of values.
+pub(crate) trait PlaneKernel<T>: Sync {
+    /// Mark it `#[inline(always)]`, as all that it calls.
+    fn plane<S: fearless_simd::Simd>(&self, simd: S, k: usize, out: &mut [T]) -> Partial;
+}
+
+/// One plane of a kernel.
+struct OnePlane<'a, T, K> {
+    kernel: &'a K,
+    k: usize,
+    out: &'a mut [T],
+}
+
+impl<T, K: PlaneKernel<T>> Kernel for OnePlane<'_, T, K> {
+    type Output = Partial;
+
+    #[inline(always)]
+    fn run<S: fearless_simd::Simd>(self, simd: S) -> Partial {
+        self.kernel.plane(simd, self.k, self.out)
+    }
+}
+
+/// Calls a kernel that names its vectors for each run of `plane` values; each fills its partial
+/// result, too. Returns their combination.
+pub(crate) fn run_planes<T: Send, K: PlaneKernel<T>>(
+    exec: Execution,
+    data: &mut [T],
+    plane: usize,
+    partials: &mut [Partial],
+    kernel: &K,
+) -> Partial {
+    let planes = data.len() / plane;
+    if exec.is_parallel {
+        let shared = data.par_chunks_mut(plane).zip(partials.par_iter_mut()).enumerate();
+        shared.for_each(|(k, (out, partial))| *partial = exec.simd.run_kernel(OnePlane { kernel, k, out }));
+    } else {
+        let planes = data.chunks_mut(plane).zip(partials.iter_mut()).enumerate();
+        planes.for_each(|(k, (out, partial))| *partial = exec.simd.run_kernel(OnePlane { kernel, k, out }));
+    }
+    Partial::combine(&partials[..planes])
 }

@@ -123,7 +123,11 @@ impl Fluid {
             vorticity_confinement: self.settings.vorticity_confinement,
             ambient_k: self.settings.ambient_k,
             cooling_per_s: self.settings.cooling_per_s,
+            advection: self.settings.advection,
+            trace: self.settings.trace,
+            scalar_advection: self.settings.scalar_advection,
             pressure: self.pressure,
+            simd: self.grid.exec.simd.level(),
             scalars: self.scalars.clone(),
         }
     }

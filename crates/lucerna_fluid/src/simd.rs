@@ -5,11 +5,32 @@
 //! the compiler turns the loops into that level's vector instructions. Nothing is contracted
 //! into fused multiply-adds and no sum is reordered, so that every level gives the same bits.
 
-use fearless_simd::{Level, Simd as _};
+use fearless_simd::{Level, Simd as _, dispatch};
+use serde::{Deserialize, Serialize};
+
+/// Which vector instructions a fluid uses. All give the same bits.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SimdLevel {
+    /// The best that the machine has, such as AVX2 or AVX-512.
+    #[default]
+    Best,
+    /// What every machine of the target has: SSE2 on x86-64. For comparison; two to four times
+    /// slower.
+    Baseline,
+}
 
 /// Which vector instructions to use.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Simd(Option<Level>);
+
+/// Work that names its vectors: called with the token of the level that it is compiled for.
+pub(crate) trait Kernel {
+    type Output;
+
+    /// Mark it `#[inline(always)]`, as all that it calls.
+    fn run<S: fearless_simd::Simd>(self, simd: S) -> Self::Output;
+}
 
 impl Simd {
     /// The best that this machine has.
@@ -17,10 +38,17 @@ impl Simd {
         Self(Some(Level::new()))
     }
 
-    /// What every machine of the target has: SSE2 on x86-64.
-    #[allow(dead_code, reason = "what every level is to be compared with")]
-    pub(crate) fn baseline() -> Self {
-        Self(None)
+    /// What a caller chose.
+    pub(crate) fn of(level: SimdLevel) -> Self {
+        match level {
+            SimdLevel::Best => Self::best(),
+            SimdLevel::Baseline => Self(None),
+        }
+    }
+
+    /// What a caller chose, again.
+    pub(crate) fn level(self) -> SimdLevel {
+        if self.0.is_some() { SimdLevel::Best } else { SimdLevel::Baseline }
     }
 
     /// Runs `work` compiled for this level. Pass a closure marked `#[inline(always)]`, and mark
@@ -37,5 +65,12 @@ impl Simd {
             }
         }
         work()
+    }
+
+    /// Runs a kernel compiled for this level.
+    #[inline(always)]
+    pub(crate) fn run_kernel<K: Kernel>(self, kernel: K) -> K::Output {
+        let level = self.0.unwrap_or(Level::baseline());
+        dispatch!(level, simd => kernel.run(simd))
     }
 }

@@ -1,35 +1,68 @@
 //! The stage of a step in which the air carries what is in it.
 
+use super::back::{Kind, Outside};
+use super::carrier::{Job, Scheme};
 use super::energy::{energy, limit_energy};
-use super::flux::transport;
-use super::packs::advect_pack;
-use super::semi_lagrangian::{advect, trace_back};
+use super::flux::{Flow, transport};
 use crate::fluid::Fluid;
+use crate::scalars::{PACK, Pack};
 use crate::scratch::Scratch;
 use crate::sides::{Walls, fix_sides};
 
 impl Fluid {
     /// Moves velocity, temperature and scalars with the air.
     pub(crate) fn carry(&mut self, scratch: &mut Scratch, dt_s: f32) {
-        let Self { grid, state, .. } = self;
-        let Scratch { next_velocity, next_temperature, next_pack, trace, partials, .. } = scratch;
-        let wind = self.settings.wind_m_s.to_array();
-        trace_back(grid, &state.velocity, dt_s, trace);
+        let Self { grid, state, settings, scalars, .. } = self;
+        let Scratch { next_velocity, next_temperature, scalar, carrier, partials, .. } = scratch;
+        let wind = settings.wind_m_s.to_array();
+        let scheme = Scheme::from(settings.advection);
+        let scalar_scheme = Scheme::of_scalars(settings.scalar_advection);
+        let has_forth = [Some(scheme), scalar_scheme].contains(&Some(Scheme::MacCormack));
+        let flow = Flow { velocity: &state.velocity, frame: [0.0; 3], open: None };
+        carrier.trace(grid, flow, dt_s, settings.trace, has_forth, partials);
         let mut allowed = energy(grid, &state.velocity, partials);
         for axis in 0..3 {
-            let (from, to) = (&state.velocity[axis], &mut next_velocity[axis]);
-            allowed += advect(grid, from, axis, trace, wind[axis], to, partials);
+            let job = Job { kind: Kind::faces(axis), scheme, outside: Outside { value: wind[axis] } };
+            let (from, out) = (&state.velocity[axis].data, &mut next_velocity[axis].data);
+            allowed += carrier.carry(grid, from, job, out, partials);
         }
-        for (index, pack) in state.packs.iter_mut().enumerate() {
-            next_pack.resize(pack.len(), [0.0; 4]);
-            advect_pack(grid, pack, trace, self.scalars.outside(index), next_pack);
-            std::mem::swap(pack, next_pack);
+        let outsides = std::iter::once(0.0).chain(scalars.outside.iter().copied());
+        for (index, outside) in outsides.enumerate() {
+            let values = if index == 0 { &mut state.temperature } else { &mut *scalar };
+            if index > 0 {
+                unpack(&state.packs, index - 1, &mut values.data);
+            }
+            let outside = Outside { value: outside };
+            if let Some(scheme) = scalar_scheme {
+                let job = Job { kind: Kind::CENTRES, scheme, outside };
+                carrier.carry(grid, &values.data, job, &mut next_temperature.data, partials);
+                std::mem::swap(values, next_temperature);
+            } else {
+                let fields = [&mut values.data, &mut next_temperature.data];
+                transport(grid, flow, dt_s, outside, fields, partials);
+            }
+            if index > 0 {
+                pack(&mut state.packs, index - 1, &values.data);
+            }
         }
-        transport(grid, &state.velocity, dt_s, &mut state.temperature, next_temperature, partials);
         std::mem::swap(&mut state.velocity, next_velocity);
         fix_sides(grid, &mut state.velocity, Walls::of(&self.settings, &self.given));
         if !self.sources.has_expansion {
             limit_energy(grid, &mut state.velocity, allowed, partials);
         }
+    }
+}
+
+/// Copies a scalar out of its pack.
+fn unpack(packs: &[Pack], index: usize, out: &mut Vec<f32>) {
+    let pack = &packs[index / PACK];
+    out.clear();
+    out.extend(pack.iter().map(|values| values[index % PACK]));
+}
+
+/// Copies a scalar into its pack.
+fn pack(packs: &mut [Pack], index: usize, values: &[f32]) {
+    for (packed, value) in packs[index / PACK].iter_mut().zip(values) {
+        packed[index % PACK] = *value;
     }
 }

@@ -1,120 +1,255 @@
-//! Transport of heat through the faces, upwind (R. Courant, E. Isaacson, M. Rees, 1952).
+//! Transport of scalars through the faces of the cells: what leaves one enters the next.
 //!
-//! What enters a cell pushes out as much of what was in it. In a flow free of divergence this
-//! keeps the total heat exactly, which no back-trace does: a trace from a stagnation point on a
-//! heated floor finds only itself, and heats up for ever. New values lie between old ones.
+//! Second order, with the limiter of B. van Leer (J. Comput. Phys. 23, 1977, "monotonized
+//! central") and the correction `1 - |c|` of P. Lax and B. Wendroff; see R. J. `LeVeque`, *Finite
+//! Volume Methods for Hyperbolic Problems*, 2002, section 6.
+//!
+//! What is solved is `dT/dt + u . grad T = 0`, as `dT/dt + div (u T) = T div u`: where the flow is
+//! free of divergence the total changes only by what passes the sides, and where gas expands with
+//! `div u = s` the total grows by the integral of `s T`, so that a uniform field stays uniform.
 
+use fearless_simd::Simd;
+use fearless_simd::prelude::*;
+
+use super::back::Outside;
+use super::sample::{LANES, V, least, load, most, store};
 use crate::field::Field;
 use crate::grid::Grid;
-use crate::lanes::max_abs;
 use crate::limits::{MAX_AXIS_CELLS, MAX_HEAT_STEPS};
-use crate::parallel::{Partial, for_planes, reduce_planes};
+use crate::parallel::{Partial, PlaneKernel, run_planes};
+use crate::sides::Side;
 
-/// Beyond the sides the air is at ambient temperature.
-const AMBIENT: [f32; MAX_AXIS_CELLS] = [0.0; MAX_AXIS_CELLS];
+/// A row with two values more at each end, and room for whole vectors.
+type Row = [f32; MAX_AXIS_CELLS + 4 + 2 * LANES];
 
-/// Carries `temperature` for `dt_s`, in as many parts as stability asks for: no cell's air may be
-/// exchanged more than once a part. A step that would need more than [`MAX_HEAT_STEPS`] parts
-/// carries the heat only as far as that many do. `spare` is of the same shape.
+/// Carries `values` for `dt_s`, in as many parts as it takes for no new extremes to appear. A step
+/// that would need more than [`MAX_HEAT_STEPS`] carries only as far as that many do. The two
+/// arrays are of the same size; the first holds the values before and after.
 pub(crate) fn transport(
     grid: &Grid,
-    velocity: &[Field; 3],
+    flow: Flow,
     dt_s: f32,
-    temperature: &mut Field,
-    spare: &mut Field,
+    outside: Outside,
+    [values, spare]: [&mut Vec<f32>; 2],
     partials: &mut [Partial],
 ) {
     let per_speed = grid.cell_m.map(|edge| dt_s / edge);
-    let exchanged = reduce_planes(
-        grid.exec,
-        &mut spare.data,
-        grid.plane(),
-        partials,
-        #[inline(always)]
-        |k, out| {
-            inflow_plane(grid, velocity, per_speed, k, out);
-            Partial { max: max_abs(out), ..Partial::default() }
-        },
-    );
-    let exchanged = exchanged.max;
-    // Below one, so that rounding cannot overshoot.
-    let parts = (exchanged / 0.99).ceil().clamp(1.0, MAX_HEAT_STEPS);
-    let scale = (1.0 / parts).min(0.99 / exchanged.max(1.0e-30));
+    let whole = Pass { grid, flow, per_speed, outside, from: values };
+    let needed = run_planes(grid.exec, spare, grid.plane(), partials, &Parts(whole)).max;
+    // A little more, so that rounding cannot overshoot.
+    let parts = (1.001 * needed).ceil().clamp(1.0, MAX_HEAT_STEPS);
+    let scale = (1.0 / parts).min(0.999 / needed.max(1.0e-30));
     let per_speed = per_speed.map(|per_speed| per_speed * scale);
     for _ in 0..parts as usize {
-        let from: &Field = temperature;
-        for_planes(
-            grid.exec,
-            &mut spare.data,
-            grid.plane(),
-            #[inline(always)]
-            |k, out| {
-                carry_plane(grid, velocity, per_speed, from, k, out);
-            },
-        );
-        std::mem::swap(temperature, spare);
+        let pass = Pass { grid, flow, per_speed, outside, from: values };
+        run_planes(grid.exec, spare, grid.plane(), partials, &pass);
+        std::mem::swap(values, spare);
     }
 }
 
-/// The rows of velocities around a row of cells: low and high faces along x, y and z.
-#[inline(always)]
-fn face_rows<'a>(grid: &Grid, velocity: &'a [Field; 3], j: usize, k: usize) -> [&'a [f32]; 6] {
-    let [nx, ny, _] = grid.cells;
-    let [u, v, w] = velocity;
-    let u_row = &u.data[(nx + 1) * (j + ny * k)..][..nx + 1];
-    let v_at = nx * (j + (ny + 1) * k);
-    let w_at = nx * (j + ny * k);
-    let w_high = &w.data[w_at + grid.plane()..][..nx];
-    [&u_row[..nx], &u_row[1..], &v.data[v_at..][..nx], &v.data[v_at + nx..][..nx], &w.data[w_at..][..nx], w_high]
+/// What carries.
+#[derive(Clone, Copy)]
+pub(crate) struct Flow<'a> {
+    pub(crate) velocity: &'a [Field; 3],
+    /// Velocity of the grid itself, m/s.
+    pub(crate) frame: [f32; 3],
+    /// By face: 0 where nothing may pass, as beside solid cells, and 1 elsewhere.
+    pub(crate) open: Option<&'a [Vec<f32>; 3]>,
 }
 
-/// Fills `out` with the share of each cell's air that enters it.
-#[inline(always)]
-fn inflow_plane(grid: &Grid, velocity: &[Field; 3], per_speed: [f32; 3], k: usize, out: &mut [f32]) {
-    for (j, out) in out.chunks_exact_mut(grid.cells[0]).enumerate() {
-        let [u_low, u_high, v_low, v_high, w_low, w_high] = face_rows(grid, velocity, j, k);
-        for i in 0..grid.cells[0] {
-            out[i] = per_speed[0] * (positive(u_low[i]) + positive(-u_high[i]))
-                + per_speed[1] * (positive(v_low[i]) + positive(-v_high[i]))
-                + per_speed[2] * (positive(w_low[i]) + positive(-w_high[i]));
+/// One part of a step.
+#[derive(Clone, Copy)]
+struct Pass<'a> {
+    grid: &'a Grid,
+    flow: Flow<'a>,
+    /// Courant number of a velocity of 1 m/s.
+    per_speed: [f32; 3],
+    outside: Outside,
+    from: &'a [f32],
+}
+
+/// Finds into how many parts the step must be divided: the greatest over the cells.
+struct Parts<'a>(Pass<'a>);
+
+impl Pass<'_> {
+    /// Courant numbers of eight cells' faces: low and high one along x, y and z.
+    #[inline(always)]
+    fn courant<S: Simd>(&self, simd: S, first: usize, j: usize, k: usize) -> [V<S>; 6] {
+        let [nx, ny, _] = self.grid.cells;
+        let [u, v, w] = self.flow.velocity;
+        let [at_u, at_v, at_w] =
+            [first + (nx + 1) * (j + ny * k), first + nx * (j + (ny + 1) * k), first + nx * (j + ny * k)];
+        let faces = [
+            load(simd, &u.data, at_u),
+            load(simd, &u.data, at_u + 1),
+            load(simd, &v.data, at_v),
+            load(simd, &v.data, at_v + nx),
+            load(simd, &w.data, at_w),
+            load(simd, &w.data, at_w + nx * ny),
+        ];
+        let mut courant = faces;
+        for face in 0..6 {
+            courant[face] = (faces[face] - self.flow.frame[face / 2]) * self.per_speed[face / 2];
         }
+        if let Some([u, v, w]) = self.flow.open {
+            courant[0] *= load(simd, u, at_u);
+            courant[1] *= load(simd, u, at_u + 1);
+            courant[2] *= load(simd, v, at_v);
+            courant[3] *= load(simd, v, at_v + nx);
+            courant[4] *= load(simd, w, at_w);
+            courant[5] *= load(simd, w, at_w + nx * ny);
+        }
+        courant
+    }
+
+    /// The row of values (j, k); beyond the sides the outside, or at walls the row there.
+    #[inline(always)]
+    fn row<'b>(&'b self, [j, k]: [isize; 2], outside: &'b Row) -> &'b [f32] {
+        let [nx, ny, nz] = self.grid.cells;
+        let (Some(j), Some(k)) = (self.inside(1, j, ny), self.inside(2, k, nz)) else {
+            return &outside[..nx];
+        };
+        &self.from[nx * (j + ny * k)..][..nx]
+    }
+
+    /// The index to read along an axis; none where the air is the outside's.
+    #[inline(always)]
+    fn inside(&self, axis: usize, index: isize, count: usize) -> Option<usize> {
+        let last = count as isize - 1;
+        if index >= 0 && index <= last {
+            return Some(index as usize);
+        }
+        match self.grid.sides[axis][usize::from(index > 0)] {
+            Side::Periodic => Some(index.rem_euclid(count as isize) as usize),
+            side if side.lets_in() => None,
+            _ => Some(index.clamp(0, last) as usize),
+        }
+    }
+
+    /// Whether nothing around a row differs from its first value, so that nothing changes.
+    #[inline(always)]
+    fn is_even<S: Simd>(&self, simd: S, rows: &[&[f32]; 9], outside: f32) -> bool {
+        let value = rows[0][0];
+        let reaches_out = self.grid.sides[0].iter().any(|side| side.lets_in());
+        if reaches_out && outside != value {
+            return false;
+        }
+        let even = V::splat(simd, value);
+        for row in rows {
+            let (chunks, rest) = row.as_chunks::<LANES>();
+            for chunk in chunks {
+                if !V::simd_from(simd, *chunk).simd_eq(even).all_true() {
+                    return false;
+                }
+            }
+            if rest.iter().any(|other| *other != value) {
+                return false;
+            }
+        }
+        true
     }
 }
 
-/// Carries one plane.
+/// Value that passes a face with the Courant number `c`, between the second and the third of
+/// four values in a line.
 #[inline(always)]
-fn carry_plane(grid: &Grid, velocity: &[Field; 3], per_speed: [f32; 3], from: &Field, k: usize, out: &mut [f32]) {
-    let [nx, ny, nz] = grid.cells;
-    let row = |j: usize, k: usize| &from.data[nx * (j + ny * k)..][..nx];
-    let ambient = &AMBIENT[..nx];
-    for (j, out) in out.chunks_exact_mut(nx).enumerate() {
-        let [u_low, u_high, v_low, v_high, w_low, w_high] = face_rows(grid, velocity, j, k);
-        let here = row(j, k);
-        let below = if j > 0 { row(j - 1, k) } else { ambient };
-        let above = if j + 1 < ny { row(j + 1, k) } else { ambient };
-        let behind = if k > 0 { row(j, k - 1) } else { ambient };
-        let before = if k + 1 < nz { row(j, k + 1) } else { ambient };
-        for i in 0..nx {
-            let value = here[i];
-            out[i] = value
-                + per_speed[1] * (positive(v_low[i]) * (below[i] - value) + positive(-v_high[i]) * (above[i] - value))
-                + per_speed[2]
-                    * (positive(w_low[i]) * (behind[i] - value) + positive(-w_high[i]) * (before[i] - value));
+fn face<S: Simd>(simd: S, c: V<S>, [before, low, high, after]: [V<S>; 4]) -> V<S> {
+    let zero = V::splat(simd, 0.0);
+    let is_up = c.simd_gt(zero);
+    let upwind = is_up.select(low, high);
+    let ahead = is_up.select(high - low, low - high);
+    let behind = is_up.select(low - before, high - after);
+    // The least in size of twice either difference and of their mean; zero at an extreme.
+    let (size_ahead, size_behind) = (ahead.abs(), behind.abs());
+    let steepest = least(size_ahead, size_behind) * 2.0;
+    let slope = least(steepest, (ahead + behind).abs() * 0.5);
+    let slope = (ahead * behind).simd_gt(zero).select(slope, zero);
+    let slope = ahead.simd_gt(zero).select(slope, zero - slope);
+    upwind + slope * ((V::splat(simd, 1.0) - c.abs()) * 0.5)
+}
+
+impl PlaneKernel<f32> for Parts<'_> {
+    #[inline(always)]
+    fn plane<S: Simd>(&self, simd: S, k: usize, _: &mut [f32]) -> Partial {
+        let [nx, ny, _] = self.0.grid.cells;
+        let zero = V::splat(simd, 0.0);
+        let mut parts = zero;
+        for j in 0..ny {
+            for first in (0..nx).step_by(LANES) {
+                let courant = self.0.courant(simd, first, j, k);
+                let (mut passed, mut squares, mut greatest) = (zero, zero, zero);
+                for (face, c) in courant.into_iter().enumerate() {
+                    let leaves = if face % 2 == 0 { most(zero - c, zero) } else { most(c, zero) };
+                    passed += c.abs();
+                    squares += leaves * leaves;
+                    greatest = most(c.abs(), greatest);
+                }
+                // A new value lies between old ones if passed / p - squares / p² is at most 1.
+                let root = most(passed * passed - squares * 4.0, zero).sqrt();
+                let mut needed = most((passed + root) * 0.5, greatest);
+                if first + LANES > nx {
+                    for lane in nx - first..LANES {
+                        needed[lane] = 0.0;
+                    }
+                }
+                parts = most(needed, parts);
+            }
         }
-        // The ends of the row; their neighbours outside are at ambient temperature, zero.
-        out[0] -= per_speed[0] * positive(u_low[0]) * here[0];
-        out[nx - 1] -= per_speed[0] * positive(-u_high[nx - 1]) * here[nx - 1];
-        let (low, high) = (&here[..nx - 1], &here[1..]);
-        for i in 0..nx - 1 {
-            out[i] += per_speed[0] * positive(-u_high[i]) * (high[i] - low[i]);
-        }
-        for i in 0..nx - 1 {
-            out[i + 1] += per_speed[0] * positive(u_low[i + 1]) * (low[i] - high[i]);
-        }
+        Partial { max: parts.as_array().iter().fold(0.0, |most, one| most.max(*one)), ..Partial::default() }
     }
 }
 
-#[inline(always)]
-fn positive(value: f32) -> f32 {
-    if value > 0.0 { value } else { 0.0 }
+impl PlaneKernel<f32> for Pass<'_> {
+    #[inline(always)]
+    fn plane<S: Simd>(&self, simd: S, k: usize, out: &mut [f32]) -> Partial {
+        let nx = self.grid.cells[0];
+        let mut outside: Row = [0.0; MAX_AXIS_CELLS + 4 + 2 * LANES];
+        outside[..nx].fill(self.outside.value);
+        let mut padded: Row = [0.0; MAX_AXIS_CELLS + 4 + 2 * LANES];
+        let k_at = k as isize;
+        for (j, out) in out.chunks_exact_mut(nx).enumerate() {
+            let j_at = j as isize;
+            let rows = [
+                self.row([j_at, k_at], &outside),
+                self.row([j_at - 2, k_at], &outside),
+                self.row([j_at - 1, k_at], &outside),
+                self.row([j_at + 1, k_at], &outside),
+                self.row([j_at + 2, k_at], &outside),
+                self.row([j_at, k_at - 2], &outside),
+                self.row([j_at, k_at - 1], &outside),
+                self.row([j_at, k_at + 1], &outside),
+                self.row([j_at, k_at + 2], &outside),
+            ];
+            if self.is_even(simd, &rows, self.outside.value) {
+                out.copy_from_slice(rows[0]);
+                continue;
+            }
+            padded[2..nx + 2].copy_from_slice(rows[0]);
+            for at in [0, 1, nx + 2, nx + 3] {
+                let index = self.inside(0, at as isize - 2, nx);
+                padded[at] = index.map_or(self.outside.value, |index| rows[0][index]);
+            }
+            for first in (0..nx).step_by(LANES) {
+                let [u_low, u_high, v_low, v_high, w_low, w_high] = self.courant(simd, first, j, k);
+                let mut x = [load(simd, &padded, first); 5];
+                for (shift, x) in x.iter_mut().enumerate() {
+                    *x = load(simd, &padded, first + shift);
+                }
+                let here = x[2];
+                let mut around = [here; 9];
+                for at in 1..9 {
+                    around[at] = load(simd, rows[at], first);
+                }
+                let [_, y0, y1, y3, y4, z0, z1, z3, z4] = around;
+                let along_x = u_low * (face(simd, u_low, [x[0], x[1], here, x[3]]) - here)
+                    - u_high * (face(simd, u_high, [x[1], here, x[3], x[4]]) - here);
+                let along_y = v_low * (face(simd, v_low, [y0, y1, here, y3]) - here)
+                    - v_high * (face(simd, v_high, [y1, here, y3, y4]) - here);
+                let along_z = w_low * (face(simd, w_low, [z0, z1, here, z3]) - here)
+                    - w_high * (face(simd, w_high, [z1, here, z3, z4]) - here);
+                store(&mut out[first..], here + (along_y + (along_x + along_z)));
+            }
+        }
+        Partial::default()
+    }
 }

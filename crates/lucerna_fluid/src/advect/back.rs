@@ -1,0 +1,183 @@
+//! Semi-Lagrangian advection, and the correction that makes it `MacCormack`'s.
+
+use fearless_simd::Simd;
+use fearless_simd::prelude::*;
+
+use super::sample::{
+    LANES, Lattice, V, active, blend, bounds, corners, least, load, most, places, ramp, sample, store,
+};
+use super::trace::Ways;
+use crate::grid::Grid;
+use crate::parallel::{Partial, PlaneKernel};
+use crate::sides::Side;
+
+/// Where values lie: on the faces across an axis, or at the centres.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Kind(pub(crate) Option<usize>);
+
+impl Kind {
+    pub(crate) const CENTRES: Self = Self(None);
+
+    pub(crate) fn faces(axis: usize) -> Self {
+        Self(Some(axis))
+    }
+
+    pub(crate) fn counts(self, grid: &Grid) -> [usize; 3] {
+        self.0.map_or(grid.cells, |axis| grid.face_counts(axis))
+    }
+}
+
+/// What comes in from outside.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Outside {
+    pub(crate) value: f32,
+}
+
+impl Outside {
+    /// The outside's values for air that comes from `_from`, beyond the lattice.
+    #[inline(always)]
+    fn values<S: Simd>(self, simd: S, _from: [V<S>; 3]) -> V<S> {
+        V::splat(simd, self.value)
+    }
+}
+
+/// Takes every value from where its air was.
+#[derive(Clone, Copy)]
+pub(super) struct Backward<'a, const WRAPS: bool> {
+    pub(super) grid: &'a Grid,
+    pub(super) ways: &'a Ways,
+    pub(super) kind: Kind,
+    pub(super) from: Lattice<'a>,
+    /// Of the values that are written.
+    pub(super) counts: [usize; 3],
+    pub(super) outside: Outside,
+}
+
+impl<const WRAPS: bool> Backward<'_, WRAPS> {
+    /// The ways of eight values; see [`Ways`].
+    #[inline(always)]
+    fn ways<S: Simd>(&self, simd: S, from: usize, [first, j, k]: [usize; 3]) -> [V<S>; 3] {
+        match self.kind.0 {
+            None => self.ways.of_cells(simd, from, first, j, k, 0),
+            Some(axis) => self.ways.of_faces(simd, from, axis, [first, j, k]),
+        }
+    }
+
+    /// Places of eight values, and where their air was.
+    #[inline(always)]
+    fn origins<S: Simd>(&self, simd: S, [first, j, k]: [usize; 3]) -> ([V<S>; 3], [V<S>; 3]) {
+        let here = [ramp(simd) + first as f32, V::splat(simd, j as f32), V::splat(simd, k as f32)];
+        let way = self.ways(simd, 0, [first, j, k]);
+        (here, [here[0] - way[0], here[1] - way[1], here[2] - way[2]])
+    }
+
+    /// Which sides let air in.
+    fn inlets(&self) -> Inlets {
+        let sides = self.grid.sides.map(|sides| sides.map(Side::lets_in));
+        let any = sides.iter().flatten().any(|lets_in| *lets_in);
+        Inlets { sides, last: self.counts.map(|count| (count - 1) as f32), any }
+    }
+}
+
+/// The sides through which air comes in.
+#[derive(Clone, Copy)]
+struct Inlets {
+    sides: [[bool; 2]; 3],
+    last: [f32; 3],
+    any: bool,
+}
+
+impl Inlets {
+    /// How far beyond the sides that let air in each place lies, along each axis.
+    #[inline(always)]
+    fn beyond<S: Simd>(&self, simd: S, at: [V<S>; 3]) -> [V<S>; 3] {
+        let zero = V::splat(simd, 0.0);
+        let mut beyond = [zero; 3];
+        for axis in 0..3 {
+            let [low, high] = self.sides[axis];
+            let below = if low { most(zero - at[axis], zero) } else { zero };
+            let above = if high { most(at[axis] - self.last[axis], zero) } else { zero };
+            beyond[axis] = below + above;
+        }
+        beyond
+    }
+}
+
+/// How much of each sample comes from outside: nothing on the lattice, all of it from one cell
+/// beyond on, where the air outside begins.
+#[inline(always)]
+fn shares<S: Simd>(simd: S, beyond: [V<S>; 3]) -> V<S> {
+    let (zero, one) = (V::splat(simd, 0.0), V::splat(simd, 1.0));
+    let [x, y, z] = beyond;
+    one - most(one - x, zero) * most(one - y, zero) * most(one - z, zero)
+}
+
+impl<const WRAPS: bool> PlaneKernel<f32> for Backward<'_, WRAPS> {
+    #[inline(always)]
+    fn plane<S: Simd>(&self, simd: S, k: usize, out: &mut [f32]) -> Partial {
+        let nx = self.counts[0];
+        let inlets = self.inlets();
+        let mut brought = 0.0_f64;
+        for (j, row) in out.chunks_exact_mut(nx).enumerate() {
+            for first in (0..nx).step_by(LANES) {
+                let (_, at) = self.origins(simd, [first, j, k]);
+                let mut values = sample::<S, WRAPS>(simd, &self.from, at, active(nx, first));
+                if inlets.any {
+                    let beyond = inlets.beyond(simd, at);
+                    let zero = V::splat(simd, 0.0);
+                    if (beyond[0] + beyond[1] + beyond[2]).simd_gt(zero).any_true() {
+                        let share = shares(simd, beyond);
+                        let outside = self.outside.values(simd, at);
+                        values += share * (outside - values);
+                        let squares = share * outside * outside;
+                        brought += squares.as_array().iter().take(nx - first).map(|one| f64::from(*one)).sum::<f64>();
+                    }
+                }
+                store(&mut row[first..], values);
+            }
+        }
+        Partial { sum: brought, ..Partial::default() }
+    }
+}
+
+/// Takes half of the error of going there and back out of what was found.
+pub(super) struct Correction<'a, const WRAPS: bool> {
+    pub(super) back: Backward<'a, WRAPS>,
+    /// Values at the start.
+    pub(super) start: &'a [f32],
+    /// Values found going back.
+    pub(super) found: &'a [f32],
+    pub(super) found_lattice: Lattice<'a>,
+}
+
+impl<const WRAPS: bool> PlaneKernel<f32> for Correction<'_, WRAPS> {
+    #[inline(always)]
+    fn plane<S: Simd>(&self, simd: S, k: usize, out: &mut [f32]) -> Partial {
+        let [nx, ny, _] = self.back.counts;
+        let inlets = self.back.inlets();
+        for (j, row) in out.chunks_exact_mut(nx).enumerate() {
+            for first in (0..nx).step_by(LANES) {
+                let lanes = active(nx, first);
+                let (here, at) = self.back.origins(simd, [first, j, k]);
+                let before = places::<S, WRAPS>(simd, &self.back.from, at);
+                let (low, high) = bounds(&corners(simd, &self.back.from, &before, lanes));
+                let forth = self.back.ways(simd, 3, [first, j, k]);
+                let to = [here[0] + forth[0], here[1] + forth[1], here[2] + forth[2]];
+                let after = places::<S, WRAPS>(simd, &self.found_lattice, to);
+                let again = blend(corners(simd, &self.found_lattice, &after, lanes), &after);
+                let index = first + nx * (j + ny * k);
+                let found = load(simd, self.found, index);
+                let corrected = found + (load(simd, self.start, index) - again) * 0.5;
+                let mut values = most(least(corrected, high), low);
+                if inlets.any {
+                    // Where the way leads out there is nothing to compare with.
+                    let (there, here) = (inlets.beyond(simd, at), inlets.beyond(simd, to));
+                    let beyond = there[0] + there[1] + there[2] + here[0] + here[1] + here[2];
+                    values = beyond.simd_gt(V::splat(simd, 0.0)).select(found, values);
+                }
+                store(&mut row[first..], values);
+            }
+        }
+        Partial::default()
+    }
+}
