@@ -11,5 +11,5 @@ mod scheme;
 mod trace;
 
 pub(crate) use carrier::Carrier;
-pub(crate) use energy::energy;
+pub(crate) use energy::energy_plane;
 pub use scheme::{Advection, ScalarAdvection, Trace};

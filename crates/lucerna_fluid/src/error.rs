@@ -108,6 +108,16 @@ pub enum FluidError {
         /// Which axis: `x`, `y` or `z`.
         axis: &'static str,
     },
+    /// Two slices that belong together have different lengths.
+    #[error("{field} has {found} values; allowed: {expected}")]
+    Length {
+        /// Which slice.
+        field: &'static str,
+        /// Its length.
+        found: usize,
+        /// What it has to be.
+        expected: usize,
+    },
     /// A box of a batch has another shape than the first.
     #[error(
         "box {index} of the batch differs from the first; allowed: the same cells, size, sides, pressure solver and names of scalars"

@@ -28,6 +28,8 @@ pub(crate) struct Settings {
     pub(crate) advection: Advection,
     pub(crate) trace: Trace,
     pub(crate) scalar_advection: ScalarAdvection,
+    pub(crate) cfl_limit: Option<f32>,
+    pub(crate) max_substeps: u32,
 }
 
 /// What time changes.
@@ -191,7 +193,8 @@ impl Fluid {
     }
 
     /// Advances by `dt_s` seconds, above 0 and up to 1e3, and uses up what was added since the
-    /// last step. Any such step is stable; for accuracy keep [`StepReport::cfl`] below about 3.
+    /// last step. Any such step is stable; for accuracy keep [`StepReport::cfl`] below about 3, or let
+    /// [`crate::FluidBuilder::cfl_limit`] divide the step.
     ///
     /// # Errors
     /// A length of step out of its range; nothing has changed then.
@@ -204,9 +207,9 @@ impl Fluid {
     pub(crate) fn step_with(&mut self, scratch: &mut Scratch, dt_s: f32) -> StepReport {
         if self.grid.exec.is_parallel {
             // Enter the thread pool once, not once for each pass over the planes.
-            rayon::scope(|_| self.advance(scratch, dt_s))
+            rayon::scope(|_| self.advance_in_parts(scratch, dt_s))
         } else {
-            self.advance(scratch, dt_s)
+            self.advance_in_parts(scratch, dt_s)
         }
     }
 }

@@ -2,6 +2,20 @@
 
 const LANES: usize = 8;
 
+/// Greatest magnitude.
+#[inline(always)]
+pub(crate) fn max_abs(row: &[f32]) -> f32 {
+    let mut lanes = [0.0_f32; LANES];
+    let (chunks, rest) = row.as_chunks::<LANES>();
+    for chunk in chunks {
+        for (lane, value) in lanes.iter_mut().zip(chunk) {
+            let size = value.abs();
+            *lane = if size > *lane { size } else { *lane };
+        }
+    }
+    rest.iter().chain(&lanes).fold(0.0, |most, value| most.max(value.abs()))
+}
+
 /// Greatest value, or zero.
 #[inline(always)]
 pub(crate) fn highest(row: &[f32]) -> f32 {

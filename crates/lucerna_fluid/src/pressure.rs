@@ -26,7 +26,7 @@ use lines::Lanes;
 #[allow(unused_imports, reason = "obstacles make it")]
 pub(crate) use mask::Mask;
 use operators::subtract_gradient;
-pub(crate) use operators::{divergence_plane, slices};
+pub(crate) use operators::{divergence_plane, slices, speeds};
 
 /// How the pressure is found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]

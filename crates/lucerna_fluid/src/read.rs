@@ -2,11 +2,7 @@
 
 use glam::Vec3;
 
-use crate::advect::energy;
 use crate::fluid::Fluid;
-use crate::limits::MAX_DT_S;
-use crate::parallel::Partial;
-use crate::pressure::{divergence_plane, slices};
 use crate::sides::Sides;
 
 impl Fluid {
@@ -24,20 +20,6 @@ impl Fluid {
     #[must_use]
     pub fn temperature(&self, point: Vec3) -> f32 {
         self.state.temperature.sample(self.grid.cells_from_point(point))
-    }
-
-    /// Moves points with the air for `dt_s` seconds by the midpoint rule in the present field;
-    /// back in time if negative. Times are clamped to ±1e3 s; one that is not a number moves
-    /// nothing. Points may leave the box; they are then carried by the nearest air inside.
-    pub fn advect_points(&self, points: &mut [Vec3], dt_s: f32) {
-        if dt_s.is_nan() {
-            return;
-        }
-        let dt_s = dt_s.clamp(-MAX_DT_S, MAX_DT_S);
-        for point in points {
-            let middle = *point + self.velocity(*point) * (0.5 * dt_s);
-            *point += self.velocity(middle) * dt_s;
-        }
     }
 
     /// Number of cells along x, y and z.
@@ -88,13 +70,6 @@ impl Fluid {
         self.max_speed_m_s
     }
 
-    /// Mean kinetic energy per mass over the box, m²/s²; faces on its sides count half.
-    #[must_use]
-    pub fn mean_kinetic_energy_m2_s2(&self) -> f64 {
-        let mut partials = vec![Partial::default(); self.grid.cells[2] + 1];
-        0.5 * energy(&self.grid, &self.state.velocity, &mut partials) / self.grid.count() as f64
-    }
-
     /// Velocities through the faces, m/s: x component with `[nx + 1, ny, nz]` values, y with
     /// `[nx, ny + 1, nz]`, z with `[nx, ny, nz + 1]`; x fastest.
     #[must_use]
@@ -113,16 +88,6 @@ impl Fluid {
     #[must_use]
     pub fn potential(&self) -> &[f32] {
         &self.state.potential
-    }
-
-    /// Divergence of the present velocity by cell, 1/s; x fastest. Allocates.
-    #[must_use]
-    pub fn divergence(&self) -> Vec<f32> {
-        let mut out = vec![0.0; self.grid.count()];
-        for (k, plane) in out.chunks_exact_mut(self.grid.plane()).enumerate() {
-            divergence_plane(&self.grid, slices(&self.state.velocity), k, plane);
-        }
-        out
     }
 
     /// FNV-1a hash of the bits of velocity, temperature and scalars: equal states, equal hashes.

@@ -7,7 +7,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::builder::FluidBuilder;
 use crate::error::FluidError;
-use crate::fluid::{Fluid, Sources};
+use crate::fluid::{Fluid, Settings, Sources, State};
+use crate::grid::Grid;
+use crate::sides::GivenSides;
+use crate::source::{Placed, SavedSources};
 
 /// Version of what is saved; rises whenever that changes.
 const VERSION: u32 = 1;
@@ -37,6 +40,7 @@ const VERSION: u32 = 1;
 pub struct Snapshot {
     version: u32,
     setup: FluidBuilder,
+    given: GivenSides,
     state: SavedState,
     pending: Pending,
 }
@@ -59,6 +63,7 @@ struct Pending {
     expansion: Vec<f32>,
     /// One for each scalar, or none at all.
     scalars: Vec<Vec<f32>>,
+    placed: SavedSources,
 }
 
 /// Why a saved fluid was refused. Nothing has changed then.
@@ -113,47 +118,76 @@ pub enum SnapshotError {
 impl Fluid {
     /// The description that would make a fluid with the present settings.
     pub(crate) fn setup(&self) -> FluidBuilder {
+        // Every field by name: a new one is not to be forgotten.
+        let Settings {
+            wind_m_s,
+            viscosity_m2_s,
+            vorticity_confinement,
+            ambient_k,
+            cooling_per_s,
+            thermal_diffusivity_m2_s,
+            cfl_limit,
+            max_substeps,
+            advection,
+            trace,
+            scalar_advection,
+        } = self.settings;
         FluidBuilder {
             cells: self.grid.cells,
             origin: self.grid.origin,
             size_m: self.grid.size_m,
             sides: self.sides,
-            wind_m_s: self.settings.wind_m_s,
-            viscosity_m2_s: self.settings.viscosity_m2_s,
-            vorticity_confinement: self.settings.vorticity_confinement,
-            ambient_k: self.settings.ambient_k,
-            cooling_per_s: self.settings.cooling_per_s,
-            advection: self.settings.advection,
-            trace: self.settings.trace,
-            scalar_advection: self.settings.scalar_advection,
+            wind_m_s,
+            viscosity_m2_s,
+            vorticity_confinement,
+            ambient_k,
+            cooling_per_s,
+            thermal_diffusivity_m2_s,
+            cfl_limit,
+            max_substeps,
+            advection,
+            trace,
+            scalar_advection,
             pressure: self.pressure,
             simd: self.grid.exec.simd.level(),
             scalars: self.scalars.clone(),
         }
     }
 
-    /// A copy of all that makes this fluid go on as it would, but for what
-    /// [`Fluid::add_source`] and [`Fluid::attach_source`] placed. Allocates 24 bytes a cell and what
+    /// A copy of all that makes this fluid go on as it would. Allocates 24 bytes a cell and what
     /// was added for the coming step.
     #[must_use]
     pub fn save(&self) -> Snapshot {
-        let (state, sources) = (&self.state, &self.sources);
-        let when = |is_there: bool, values: &Vec<f32>| if is_there { values.clone() } else { Vec::new() };
+        let State { velocity, temperature, packs, potential } = &self.state;
+        let Sources {
+            acceleration,
+            has_acceleration,
+            heat,
+            has_heat,
+            expansion,
+            has_expansion,
+            scalars,
+            has_scalars,
+            placed,
+        } = &self.sources;
+        let when = |is_there: &bool, values: &Vec<f32>| if *is_there { values.clone() } else { Vec::new() };
         Snapshot {
             version: VERSION,
             setup: self.setup(),
+            given: self.given.clone(),
             state: SavedState {
-                velocity: state.velocity.each_ref().map(|field| field.data.clone()),
-                temperature: state.temperature.data.clone(),
-                packs: state.packs.clone(),
-                potential: state.potential.clone(),
+                velocity: velocity.each_ref().map(|field| field.data.clone()),
+                temperature: temperature.data.clone(),
+                packs: packs.clone(),
+                potential: potential.clone(),
                 max_speed_m_s: self.max_speed_m_s,
             },
             pending: Pending {
-                acceleration: sources.acceleration.each_ref().map(|values| when(sources.has_acceleration, values)),
-                heat: when(sources.has_heat, &sources.heat),
-                expansion: when(sources.has_expansion, &sources.expansion),
-                scalars: if sources.has_scalars { sources.scalars.clone() } else { Vec::new() },
+                acceleration: acceleration.each_ref().map(|values| when(has_acceleration, values)),
+                heat: when(has_heat, heat),
+                expansion: when(has_expansion, expansion),
+                scalars: if *has_scalars { scalars.clone() } else { Vec::new() },
+                placed: placed.saved(),
             },
         }
     }
@@ -168,7 +202,8 @@ impl Fluid {
     pub fn load(snapshot: &Snapshot) -> Result<Self, SnapshotError> {
         snapshot.check()?;
         let mut fluid = snapshot.setup.clone().build()?;
-        snapshot.copy_into(&mut fluid);
+        let placed = Placed::from_saved(&snapshot.pending.placed, &fluid.grid, &fluid.scalars)?;
+        snapshot.copy_into(&mut fluid, placed);
         Ok(fluid)
     }
 
@@ -183,17 +218,19 @@ impl Fluid {
             return Err(SnapshotError::Shape);
         }
         let settings = snapshot.check()?;
-        self.grid.origin = snapshot.setup.origin;
+        let grid = Grid { origin: snapshot.setup.origin, ..self.grid.clone() };
+        let placed = Placed::from_saved(&snapshot.pending.placed, &grid, &self.scalars)?;
+        self.grid = grid;
         self.settings = settings;
         self.scalars.clone_from(&snapshot.setup.scalars);
-        snapshot.copy_into(self);
+        snapshot.copy_into(self, placed);
         Ok(())
     }
 }
 
 impl Snapshot {
     /// Copies arrays that have been checked into a fluid of their shape.
-    fn copy_into(&self, fluid: &mut Fluid) {
+    fn copy_into(&self, fluid: &mut Fluid, placed: Placed) {
         let SavedState { velocity, temperature, packs, potential, max_speed_m_s } = &self.state;
         for (field, saved) in fluid.state.velocity.iter_mut().zip(velocity) {
             field.data.copy_from_slice(saved);
@@ -202,9 +239,8 @@ impl Snapshot {
         fluid.state.packs.clone_from(packs);
         fluid.state.potential.copy_from_slice(potential);
         fluid.max_speed_m_s = *max_speed_m_s;
-        let Pending { acceleration, heat, expansion, scalars } = self.pending.clone();
-        let mut placed = std::mem::take(&mut fluid.sources.placed);
-        placed.clear();
+        fluid.given.clone_from(&self.given);
+        let Pending { acceleration, heat, expansion, scalars, placed: _ } = self.pending.clone();
         fluid.sources = Sources {
             has_acceleration: acceleration.iter().any(|values| !values.is_empty()),
             acceleration,

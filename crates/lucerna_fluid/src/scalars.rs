@@ -31,7 +31,7 @@ pub(crate) type Pack = Vec<[f32; PACK]>;
 
 /// One of the scalars of a fluid, found by [`Fluid::scalar_id`]. It means the same in every fluid
 /// built with the same names in the same order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct ScalarId(usize);
 
 impl ScalarId {

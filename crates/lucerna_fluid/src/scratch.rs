@@ -6,6 +6,7 @@ use crate::field::Field;
 use crate::grid::Grid;
 use crate::parallel::Partial;
 use crate::pressure;
+use crate::viscosity::Coefficients;
 
 /// Taken once; a step allocates nothing.
 pub(crate) struct Scratch {
@@ -15,6 +16,8 @@ pub(crate) struct Scratch {
     pub(crate) scalar: Field,
     pub(crate) carrier: Carrier,
     pub(crate) confinement: Confinement,
+    /// Of viscosity and conduction that vary.
+    pub(crate) coefficients: Coefficients,
     pub(crate) pressure: pressure::Spare,
     /// One a plane of faces.
     pub(crate) partials: Vec<Partial>,
@@ -28,6 +31,7 @@ impl Scratch {
             scalar: Field::at_centres(grid),
             carrier: Carrier::default(),
             confinement: Confinement::default(),
+            coefficients: Coefficients::default(),
             pressure: pressure::Spare::new(grid),
             partials: vec![Partial::default(); grid.cells[2] + 1],
         }

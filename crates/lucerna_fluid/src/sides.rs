@@ -62,6 +62,9 @@ pub enum SideAt {
 }
 
 impl SideAt {
+    /// All six.
+    pub const ALL: [Self; 6] = [Self::Left, Self::Right, Self::Bottom, Self::Top, Self::Back, Self::Front];
+
     /// Axis, and end of it: 0 low, 1 high.
     pub(crate) fn axis_and_end(self) -> (usize, usize) {
         match self {

@@ -13,18 +13,19 @@ mod voxels;
 use std::sync::Arc;
 
 use glam::Vec3;
+use serde::{Deserialize, Serialize};
 
 use crate::error::{FluidError, check, check_vec};
 use crate::limits::{MAX_ACCELERATION_M_S2, MAX_SPEED_M_S, MAX_TEMPERATURE_K};
 use crate::scalars::{MAX_SCALAR, ScalarId};
 pub(crate) use add::{add_ball, check_ball};
 pub(crate) use apply::Air;
-pub(crate) use place::Placed;
 pub use place::SourceId;
+pub(crate) use place::{Placed, SavedSources};
 pub(crate) use settings::fill;
 
 /// Where a source acts. What of it lies outside the box counts for nothing.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Shape {
     /// One point. Its eight nearest cells share one cell's worth, so that moving it is smooth.
@@ -60,7 +61,7 @@ pub enum Shape {
 
 /// A value that the air is drawn towards: per time step of length dt, what is missing falls to
 /// `exp(-per_s * share * dt)` of itself, `share` the part of the cell that the shape covers.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Couple<T> {
     /// Where to.
     pub value: T,
@@ -69,7 +70,7 @@ pub struct Couple<T> {
 }
 
 /// What a source does to one scalar.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ScalarSource {
     /// Which one.
     pub scalar: ScalarId,
@@ -91,7 +92,7 @@ impl ScalarSource {
 
 /// Something that acts on the air: `Source { heat_kw: 20.0, ..Source::new(shape) }`. Give it to
 /// [`crate::Fluid::add_source`] for one step or to [`crate::Fluid::attach_source`] for all.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Source {
     /// Where.
     pub shape: Shape,

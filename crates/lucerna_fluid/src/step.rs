@@ -10,7 +10,7 @@ use crate::pressure::Projected;
 use crate::report::{StageTimes, StepReport};
 use crate::scratch::Scratch;
 use crate::sides::{Walls, fix_sides, push_wind};
-use crate::viscosity::{Diffusivity, diffuse_scalar, diffuse_velocity};
+use crate::viscosity::{Diffusivity, Held, diffuse_scalar, diffuse_velocity};
 
 /// Takes the time of each stage. There is no clock on bare WebAssembly: all times are zero.
 struct Clock(Option<Instant>);
@@ -30,6 +30,7 @@ impl Clock {
 }
 
 impl Fluid {
+    /// All stages once. What was added for the step stays: it may be divided into parts.
     pub(crate) fn advance(&mut self, scratch: &mut Scratch, dt_s: f32) -> StepReport {
         let mut clock = Clock::start();
         let mut times = StageTimes::default();
@@ -43,7 +44,6 @@ impl Fluid {
         times.viscosity_ms = clock.lap_ms();
         let projected = self.project(scratch, self.sources.has_expansion);
         times.pressure_ms = clock.lap_ms();
-        self.sources.clear();
         let mut report = self.report(scratch, dt_s, projected);
         times.report_ms = clock.lap_ms();
         report.times = times;
@@ -74,14 +74,17 @@ impl Fluid {
         let Self { grid, state, settings, given, .. } = self;
         let walls = Walls::of(settings, given);
         fix_sides(grid, &mut state.velocity, walls);
-        let viscosity = Diffusivity { uniform_m2_s: settings.viscosity_m2_s };
+        let held = Held::default();
+        let viscosity = Diffusivity { uniform_m2_s: settings.viscosity_m2_s, eddy_m2_s: None };
+        let Scratch { next_velocity, next_temperature, coefficients, .. } = scratch;
         if viscosity.acts() {
-            diffuse_velocity(grid, &mut state.velocity, viscosity, dt_s, walls, &mut scratch.next_velocity);
+            diffuse_velocity(grid, &mut state.velocity, viscosity, dt_s, walls, held, next_velocity, coefficients);
             fix_sides(grid, &mut state.velocity, walls);
         }
-        let conduction = Diffusivity { uniform_m2_s: settings.thermal_diffusivity_m2_s };
+        let conduction = Diffusivity { uniform_m2_s: settings.thermal_diffusivity_m2_s, eddy_m2_s: None };
         if conduction.acts() {
-            diffuse_scalar(grid, &mut state.temperature, conduction, dt_s, given, &mut scratch.next_temperature);
+            let (field, sides) = (&mut state.temperature, given.temperature_k);
+            diffuse_scalar(grid, field, conduction, dt_s, sides, held, next_temperature, coefficients);
         }
     }
 

@@ -9,31 +9,35 @@ use crate::parallel::{Partial, for_planes, reduce};
 pub(crate) fn energy(grid: &Grid, velocity: &[Field; 3], partials: &mut [Partial]) -> f64 {
     let mut total = 0.0;
     for (axis, field) in velocity.iter().enumerate() {
-        let [nx, ny, nz] = field.counts;
-        let plane = nx * ny;
         total += reduce(
             grid.exec,
-            &mut partials[..nz],
+            &mut partials[..field.counts[2]],
             #[inline(always)]
-            |k| {
-                let values = &field.data[k * plane..(k + 1) * plane];
-                let mut sum = sum_squares(values);
-                match axis {
-                    0 => {
-                        for row in values.chunks_exact(nx) {
-                            sum -= 0.5 * f64::from(row[0] * row[0] + row[nx - 1] * row[nx - 1]);
-                        }
-                    }
-                    1 => sum -= 0.5 * (sum_squares(&values[..nx]) + sum_squares(&values[plane - nx..])),
-                    _ if k == 0 || k + 1 == nz => sum *= 0.5,
-                    _ => {}
-                }
-                Partial { sum, ..Partial::default() }
-            },
+            |k| Partial { sum: energy_plane(field, axis, k), ..Partial::default() },
         )
         .sum;
     }
     total
+}
+
+/// The part of plane `k` of the component `axis` in [`energy`].
+#[inline(always)]
+pub(crate) fn energy_plane(field: &Field, axis: usize, k: usize) -> f64 {
+    let [nx, ny, nz] = field.counts;
+    let plane = nx * ny;
+    let values = &field.data[k * plane..(k + 1) * plane];
+    let mut sum = sum_squares(values);
+    match axis {
+        0 => {
+            for row in values.chunks_exact(nx) {
+                sum -= 0.5 * f64::from(row[0] * row[0] + row[nx - 1] * row[nx - 1]);
+            }
+        }
+        1 => sum -= 0.5 * (sum_squares(&values[..nx]) + sum_squares(&values[plane - nx..])),
+        _ if k == 0 || k + 1 == nz => sum *= 0.5,
+        _ => {}
+    }
+    sum
 }
 
 /// Scales the velocity down where advection has made energy out of nothing: a flow free of

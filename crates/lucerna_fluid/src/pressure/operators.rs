@@ -2,7 +2,8 @@
 
 use crate::field::Field;
 use crate::grid::Grid;
-use crate::parallel::for_planes;
+use crate::lanes::max_abs;
+use crate::parallel::{Partial, for_planes, reduce};
 use crate::sides::Side;
 
 use super::mask::Mask;
@@ -187,4 +188,19 @@ fn subtract(out: &mut [f32], low: &[f32], high: &[f32], inverse_m: f32, weights:
             *value = left(i, *value);
         }
     }
+}
+
+/// Greatest speed through a face, by axis, m/s.
+pub(crate) fn speeds(grid: &Grid, velocity: &[Field; 3], partials: &mut [Partial]) -> [f32; 3] {
+    std::array::from_fn(|axis| {
+        let field = &velocity[axis];
+        let plane = field.plane();
+        reduce(
+            grid.exec,
+            &mut partials[..field.counts[2]],
+            #[inline(always)]
+            |k| Partial { max: max_abs(&field.data[k * plane..(k + 1) * plane]), ..Partial::default() },
+        )
+        .max
+    })
 }

@@ -29,7 +29,9 @@ impl Snapshot {
         }
         array("potential", potential, count, f32::MAX)?;
         array("max_speed_m_s", &[*max_speed_m_s], 1, ROUNDING * MAX_SPEED_M_S)?;
-        let Pending { acceleration, heat, expansion, scalars } = &self.pending;
+        self.given.check(&grid)?;
+        // Placed sources are checked as they are placed.
+        let Pending { acceleration, heat, expansion, scalars, placed: _ } = &self.pending;
         let has_acceleration = acceleration.iter().any(|values| !values.is_empty());
         for (values, faces) in acceleration.iter().zip(faces) {
             let faces = if has_acceleration { faces } else { 0 };

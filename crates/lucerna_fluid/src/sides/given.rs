@@ -1,7 +1,9 @@
 //! Velocities and temperatures that a caller gives for a side.
 
 use glam::Vec3;
+use serde::{Deserialize, Serialize};
 
+use crate::builder::check_thermal_diffusivity;
 use crate::error::{FluidError, check, check_vec};
 use crate::fluid::{Fluid, Settings};
 use crate::grid::Grid;
@@ -13,7 +15,7 @@ use crate::sides::{Side, SideAt};
 type SideValues = [Vec<f32>; 3];
 
 /// What was given, by axis and end; nothing for a side that only follows the wind or stands still.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct GivenSides {
     velocity: [[Option<Box<SideValues>>; 2]; 3],
     /// Temperature above ambient, K; insulated where there is none.
@@ -66,6 +68,36 @@ impl<'a> Walls<'a> {
     /// Whether what enters may not be what leaves.
     pub(crate) fn may_be_uneven(&self) -> bool {
         self.frame != [0.0; 3] || self.given.velocity.iter().flatten().any(Option::is_some)
+    }
+}
+
+impl GivenSides {
+    /// Refuses what the setters would have refused.
+    pub(crate) fn check(&self, grid: &Grid) -> Result<(), FluidError> {
+        for side in SideAt::ALL {
+            let (axis, end) = side.axis_and_end();
+            if let Some(kelvin) = self.temperature_k[axis][end] {
+                if grid.sides[axis][end] == Side::Periodic {
+                    return Err(FluidError::SideTemperature { side: side.name() });
+                }
+                check("side temperature", kelvin, -MAX_TEMPERATURE_K, MAX_TEMPERATURE_K, "within ±1e4 K")?;
+            }
+            let Some(values) = &self.velocity[axis][end] else { continue };
+            if !matches!(grid.sides[axis][end], Side::NoSlip | Side::Inflow) {
+                return Err(FluidError::SideVelocity { side: side.name() });
+            }
+            for (component, values) in values.iter().enumerate() {
+                let counts = grid.face_counts(component);
+                let (found, expected) = (values.len(), counts[(axis + 1) % 3] * counts[(axis + 2) % 3]);
+                if found != expected {
+                    return Err(FluidError::Length { field: "side velocity", found, expected });
+                }
+                for value in values {
+                    check("side velocity", *value, -100.0, 100.0, "components within ±100 m/s")?;
+                }
+            }
+        }
+        Ok(())
     }
 }
 
@@ -132,8 +164,7 @@ impl Fluid {
     /// # Errors
     /// A value that is not finite or out of range.
     pub fn set_thermal_diffusivity_m2_s(&mut self, thermal_diffusivity_m2_s: f32) -> Result<(), FluidError> {
-        let field = "thermal_diffusivity_m2_s";
-        self.settings.thermal_diffusivity_m2_s = check(field, thermal_diffusivity_m2_s, 0.0, 1.0e3, "0 to 1e3 m²/s")?;
+        self.settings.thermal_diffusivity_m2_s = check_thermal_diffusivity(thermal_diffusivity_m2_s)?;
         Ok(())
     }
 }

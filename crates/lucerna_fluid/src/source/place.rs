@@ -1,12 +1,16 @@
 //! Sources in their places: for one step, or until they are taken away.
 
+use serde::{Deserialize, Serialize};
+
 use super::voxels::Voxels;
 use super::{ScalarSource, Shape, Source};
 use crate::error::FluidError;
 use crate::fluid::Fluid;
+use crate::grid::Grid;
+use crate::scalars::Scalars;
 
 /// A source that acts until [`Fluid::detach_source`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct SourceId(u64);
 
 /// A source and the cells it acts on.
@@ -26,7 +30,47 @@ pub(crate) struct Placed {
     next_id: u64,
 }
 
+/// Placed sources without their cells, which follow from the grid.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub(crate) struct SavedSources {
+    once: Vec<Source>,
+    kept: Vec<(SourceId, Source)>,
+    next_id: u64,
+}
+
 impl Placed {
+    pub(crate) fn saved(&self) -> SavedSources {
+        SavedSources {
+            once: self.once[..self.once_used].iter().map(|entry| entry.source.clone()).collect(),
+            kept: self.kept.iter().map(|(id, entry)| (*id, entry.source.clone())).collect(),
+            next_id: self.next_id,
+        }
+    }
+
+    /// Checks and places what was saved.
+    pub(crate) fn from_saved(saved: &SavedSources, grid: &Grid, scalars: &Scalars) -> Result<Self, FluidError> {
+        let entry = |source: &Source| {
+            check_source(source, scalars)?;
+            let mut voxels = Voxels::default();
+            voxels.place(grid, &source.shape)?;
+            Ok(Entry { source: source.clone(), voxels })
+        };
+        let mut placed = Self { once_used: saved.once.len(), next_id: saved.next_id, ..Self::default() };
+        if saved.next_id > u64::MAX / 2 {
+            return Err(FluidError::UnknownSource { id: saved.next_id });
+        }
+        for source in &saved.once {
+            placed.once.push(entry(source)?);
+        }
+        for (id, source) in &saved.kept {
+            if id.0 >= saved.next_id || placed.find(*id).is_ok() {
+                return Err(FluidError::UnknownSource { id: id.0 });
+            }
+            placed.kept.push((*id, entry(source)?));
+        }
+        Ok(placed)
+    }
+
     pub(crate) fn iter(&self) -> impl Iterator<Item = &Entry> {
         self.kept.iter().map(|(_, entry)| entry).chain(&self.once[..self.once_used])
     }
@@ -69,7 +113,7 @@ impl Fluid {
     /// A value that is not finite or out of range, a shape outside the box, a mesh that is empty
     /// or not closed, an unknown scalar; nothing has changed then.
     pub fn add_source(&mut self, source: &Source) -> Result<(), FluidError> {
-        self.check_source(source)?;
+        check_source(source, &self.scalars)?;
         let placed = &mut self.sources.placed;
         let used = placed.once_used;
         if used == placed.once.len() {
@@ -88,7 +132,7 @@ impl Fluid {
     /// # Errors
     /// As [`Fluid::add_source`].
     pub fn attach_source(&mut self, source: Source) -> Result<SourceId, FluidError> {
-        self.check_source(&source)?;
+        check_source(&source, &self.scalars)?;
         let mut voxels = Voxels::default();
         voxels.place(&self.grid, &source.shape)?;
         let placed = &mut self.sources.placed;
@@ -104,7 +148,7 @@ impl Fluid {
     /// As [`Fluid::add_source`], or a source that is not attached; nothing has changed then.
     pub fn set_source(&mut self, id: SourceId, source: Source) -> Result<(), FluidError> {
         let at = self.sources.placed.find(id)?;
-        self.check_source(&source)?;
+        check_source(&source, &self.scalars)?;
         if source.shape != self.sources.placed.kept[at].1.source.shape {
             let mut voxels = Voxels::default();
             voxels.place(&self.grid, &source.shape)?;
@@ -131,9 +175,9 @@ impl Fluid {
         let at = self.sources.placed.find(id)?;
         Ok(self.sources.placed.kept[at].1.voxels.total * self.grid.cell_volume_m3())
     }
+}
 
-    fn check_source(&self, source: &Source) -> Result<(), FluidError> {
-        source.check_amounts()?;
-        source.scalars.iter().try_for_each(|scalar| self.scalars.known(scalar.scalar).map(|_| ()))
-    }
+fn check_source(source: &Source, scalars: &Scalars) -> Result<(), FluidError> {
+    source.check_amounts()?;
+    source.scalars.iter().try_for_each(|scalar| scalars.known(scalar.scalar).map(|_| ()))
 }

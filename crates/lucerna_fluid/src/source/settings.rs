@@ -2,7 +2,9 @@
 
 use glam::Vec3;
 
-use crate::builder::{check_ambient, check_confinement, check_cooling, check_viscosity, check_wind};
+use crate::builder::{
+    check_ambient, check_cfl_limit, check_confinement, check_cooling, check_max_substeps, check_viscosity, check_wind,
+};
 use crate::error::{FluidError, check};
 use crate::field::Field;
 use crate::fluid::Fluid;
@@ -53,6 +55,24 @@ impl Fluid {
     /// A value that is not finite or out of range.
     pub fn set_ambient_k(&mut self, ambient_k: f32) -> Result<(), FluidError> {
         self.settings.ambient_k = check_ambient(ambient_k)?;
+        Ok(())
+    }
+
+    /// See [`crate::FluidBuilder::cfl_limit`].
+    ///
+    /// # Errors
+    /// A value that is not finite or out of range.
+    pub fn set_cfl_limit(&mut self, cfl: Option<f32>) -> Result<(), FluidError> {
+        self.settings.cfl_limit = check_cfl_limit(cfl)?;
+        Ok(())
+    }
+
+    /// See [`crate::FluidBuilder::max_substeps`].
+    ///
+    /// # Errors
+    /// A number that is out of range.
+    pub fn set_max_substeps(&mut self, parts: u32) -> Result<(), FluidError> {
+        self.settings.max_substeps = check_max_substeps(parts)?;
         Ok(())
     }
 

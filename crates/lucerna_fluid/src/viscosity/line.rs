@@ -28,7 +28,6 @@ pub(crate) struct Line {
     pub(crate) held: [f32; 2],
     /// Of a cyclic line.
     pub(crate) circle: Option<Circle>,
-    is_idle: bool,
 }
 
 /// What closes a cyclic system (J. Sherman and W. J. Morrison, 1950): the first value plus
@@ -50,12 +49,7 @@ impl Line {
             back: zeros,
             held: ends.map(|end| if end == End::Held { (2.0 * r) as f32 } else { 0.0 }),
             circle: None,
-            // One cell alone has nobody to spread to but a side.
-            is_idle: count == 1 && !ends.contains(&End::Held),
         };
-        if line.is_idle {
-            return line;
-        }
         let full = 1.0 + 2.0 * r;
         let (mut above, mut circle) = (0.0, [0.0_f64; MAX_AXIS_CELLS + 1]);
         for node in 0..count {
@@ -95,10 +89,5 @@ impl Line {
             line.circle = Some(Circle { last: last as f32, share: circle.map(|value| (value / all) as f32) });
         }
         line
-    }
-
-    /// Whether solving it changes nothing.
-    pub(crate) fn is_idle(&self) -> bool {
-        self.is_idle
     }
 }

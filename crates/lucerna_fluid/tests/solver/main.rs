@@ -1,14 +1,17 @@
 //! The solver against what it promises, through its public interface only.
 
 mod batch;
+mod figures;
 mod flows;
 mod heat;
 mod inputs;
+mod points;
 mod projection;
 mod robust;
 mod saving;
 mod scalars;
 mod sides;
 mod sources;
+mod substeps;
 mod support;
 mod viscous;

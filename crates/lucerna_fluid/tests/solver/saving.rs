@@ -1,6 +1,9 @@
 //! Saving and loading: the same bits as without, and nothing that is read does harm.
 
-use lucerna_fluid::{Fluid, FluidBuilder, FluidError, PressureSolver, Side, Sides, Snapshot, SnapshotError, Vec3};
+use lucerna_fluid::{
+    Couple, Fluid, FluidBuilder, FluidError, PressureSolver, Shape, Side, SideAt, Sides, Snapshot, SnapshotError,
+    Source, Vec3,
+};
 use proptest::prelude::*;
 
 use crate::support::{Random, random_velocity};
@@ -14,6 +17,8 @@ fn everything() -> FluidBuilder {
         .viscosity_m2_s(1.0e-3)
         .vorticity_confinement(2.0)
         .cooling_per_s(0.3)
+        .thermal_diffusivity_m2_s(1.0e-4)
+        .cfl_limit(Some(0.5))
         .scalar("soot")
         .scalar_with_outside("oxygen", 0.23)
 }
@@ -28,6 +33,8 @@ fn add_sources(step: u64, fluid: &mut Fluid) {
     if let Some(soot) = fluid.scalar_id("soot") {
         fluid.add_scalar(soot, point, 0.1, 5.0).unwrap();
     }
+    let push = Source { force_n: random.vector(0.1), ..Source::new(Shape::Sphere { centre: point, radius_m: 0.05 }) };
+    fluid.add_source(&push).unwrap();
 }
 
 fn run(fluid: &mut Fluid, steps: std::ops::Range<u64>) -> u64 {
@@ -41,6 +48,17 @@ fn run(fluid: &mut Fluid, steps: std::ops::Range<u64>) -> u64 {
 /// A fluid in the middle of things, with sources pending.
 fn running(builder: FluidBuilder) -> Fluid {
     let mut fluid = builder.build().unwrap();
+    let (low, high) = (fluid.origin() + 0.1 * fluid.size_m(), fluid.origin() + 0.4 * fluid.size_m());
+    let shape = Shape::Box { low, high };
+    let gone = fluid.attach_source(Source { heat_kw: 9.0, ..Source::new(shape.clone()) }).unwrap();
+    let velocity = Some(Couple { value: Vec3::X, per_s: 3.0 });
+    fluid.attach_source(Source { heat_kw: 0.4, velocity, ..Source::new(shape) }).unwrap();
+    fluid.detach_source(gone).unwrap();
+    if fluid.sides().x[0] == Side::Inflow {
+        fluid.set_side_velocity(SideAt::Left, |point| Vec3::X * (0.5 + point.y)).unwrap();
+        fluid.set_side_velocity(SideAt::Bottom, |_| 0.2 * Vec3::Z).unwrap();
+        fluid.set_side_temperature(SideAt::Bottom, Some(80.0)).unwrap();
+    }
     run(&mut fluid, 0..4);
     fluid.set_wind(Vec3::new(0.6, 0.0, 0.1)).unwrap();
     fluid.set_ambient_k(310.0).unwrap();
@@ -93,7 +111,9 @@ fn the_bytes_are_compact_and_always_the_same() {
     // Velocity and accelerations; temperature, potential, heat, expansion, soot's source, a pack of four.
     let values = 2 * faces + 9 * cells;
     println!("{} bytes for {values} values", bytes.len());
-    assert!(bytes.len() < 4 * values + 250);
+    // The velocities of two sides and what describes fluid and sources besides.
+    let sides = 3 * (nx * nz + ny * nz) + 2 * (nx + ny + 2 * nz);
+    assert!(bytes.len() < 4 * (values + sides) + 600);
     assert_eq!(bytes, running(everything()).save().to_bytes());
 }
 
@@ -157,6 +177,17 @@ fn what_does_not_fit_is_refused_by_name() {
     assert!(matches!(refused(&["state", "temperature", "5"], json!(1.0e5)), SnapshotError::Value { index: 5, .. }));
     for path in [["setup", "viscosity_m2_s"], ["setup", "ambient_k"], ["setup", "cooling_per_s"]] {
         assert!(matches!(refused(&path, json!(-1.0)), SnapshotError::Setup(FluidError::Value { .. })));
+    }
+    let error = refused(&["given", "velocity", "0", "0", "1"], json!([1.0]));
+    let expected = FluidError::Length { field: "side velocity", found: 1, expected: 8 * 8 };
+    assert_eq!(error, SnapshotError::Setup(expected));
+    let error = refused(&["given", "temperature_k", "1", "0"], json!(1.0e9));
+    assert!(matches!(error, SnapshotError::Setup(FluidError::Value { field: "side temperature", .. })));
+    let error = refused(&["pending", "placed", "kept", "0", "1", "heat_kw"], json!(1.0e9));
+    assert!(matches!(error, SnapshotError::Setup(FluidError::Value { field: "heat_kw", .. })));
+    for id in [json!(1), json!(u64::MAX)] {
+        let error = refused(&["pending", "placed", "next_id"], id);
+        assert!(matches!(error, SnapshotError::Setup(FluidError::UnknownSource { .. })));
     }
     // Cells that nobody could hold in memory are refused before any is taken.
     let error = refused(&["setup", "cells"], json!([512, 512, 512]));

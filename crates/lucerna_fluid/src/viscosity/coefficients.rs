@@ -1,0 +1,88 @@
+//! What the systems of a field are made of: one diffusivity, or one a value.
+
+use super::Diffusivity;
+use super::line::{End, Line};
+use super::spread::Kind;
+use super::varying::Varying;
+use crate::grid::Grid;
+use crate::limits::MAX_DIFFUSION_NUMBER;
+use crate::sides::Side;
+
+/// Arrays for diffusivities that vary; empty until they are first needed.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Coefficients {
+    in_cells: Vec<f32>,
+    at_values: Vec<f32>,
+}
+
+impl Coefficients {
+    /// The systems of one field.
+    #[expect(clippy::too_many_arguments, reason = "a field, and what acts on it")]
+    pub(super) fn kind<'a>(
+        &'a mut self,
+        grid: &Grid,
+        diffusivity: Diffusivity<'_>,
+        dt_s: f32,
+        component: Option<usize>,
+        counts: [usize; 3],
+        ends: [[End; 2]; 3],
+        held: &'a [f32],
+    ) -> Kind<'a> {
+        if diffusivity.eddy_m2_s.is_none() && held.is_empty() {
+            let line = |along: usize| {
+                Line::new(counts[along], diffusion_number(grid, along, diffusivity.uniform_m2_s, dt_s), ends[along])
+            };
+            return Kind::Even(Box::new([line(0), line(1), line(2)]));
+        }
+        let most = MAX_DIFFUSION_NUMBER as f32 * grid.shortest_m() * grid.shortest_m();
+        let spread = |eddy: f32| {
+            let number = (diffusivity.uniform_m2_s + eddy) * dt_s;
+            // What is not a number does not spread.
+            if number > 0.0 { number.min(most) } else { 0.0 }
+        };
+        self.in_cells.clear();
+        match diffusivity.eddy_m2_s {
+            Some(eddy) => self.in_cells.extend(eddy.iter().map(|eddy| spread(*eddy))),
+            None => self.in_cells.resize(grid.count(), spread(0.0)),
+        }
+        self.at_values.clear();
+        let in_cells = &self.in_cells;
+        if let Some(axis) = component {
+            let [nx, ny, nz] = grid.face_counts(axis);
+            let cells = grid.cells;
+            let last = cells[axis];
+            let is_periodic = grid.sides[axis][0] == Side::Periodic;
+            // The cells below and above a face; beyond a side the one inside stands for it.
+            let beside = |at: usize| match at {
+                0 if is_periodic => [last - 1, 0],
+                at if at == last && is_periodic => [last - 1, 0],
+                at => [at.saturating_sub(1), at.min(last - 1)],
+            };
+            let row = |j: usize, k: usize| &in_cells[cells[0] * (j + cells[1] * k)..][..cells[0]];
+            for k in 0..nz {
+                for j in 0..ny {
+                    if axis == 0 {
+                        let row = row(j, k);
+                        self.at_values.extend((0..nx).map(|i| {
+                            let [low, high] = beside(i);
+                            0.5 * (row[low] + row[high])
+                        }));
+                    } else {
+                        let [low, high] = beside([0, j, k][axis]);
+                        let (low, high) =
+                            if axis == 1 { (row(low, k), row(high, k)) } else { (row(j, low), row(j, high)) };
+                        self.at_values.extend(low.iter().zip(high).map(|(low, high)| 0.5 * (low + high)));
+                    }
+                }
+            }
+        }
+        let at_values = if component.is_some() { &self.at_values } else { &self.in_cells };
+        Kind::Varying(Varying { at_values, in_cells: &self.in_cells, held })
+    }
+}
+
+/// Square of the way that something spreads during the step, in cells, halved.
+pub(super) fn diffusion_number(grid: &Grid, along: usize, uniform_m2_s: f32, dt_s: f32) -> f64 {
+    let edge = f64::from(grid.cell_m[along]);
+    (f64::from(uniform_m2_s) * f64::from(dt_s) / (edge * edge)).min(MAX_DIFFUSION_NUMBER)
+}

@@ -1,0 +1,286 @@
+//! Lines whose diffusivity varies, or that end at solid cells: each has a system of its own.
+
+use std::ops::Range;
+
+use super::line::End;
+use crate::limits::MAX_AXIS_CELLS;
+use crate::sides::Wall;
+
+/// Lines solved together.
+const LANES: usize = 16;
+type Lanes = [f32; LANES];
+
+/// What the systems of one field are made of. Diffusion numbers are by square metre: they are
+/// multiplied by one over the square of a cell's edge.
+#[derive(Clone, Copy)]
+pub(crate) struct Varying<'a> {
+    /// Diffusivity times step at each value, m².
+    pub(crate) at_values: &'a [f32],
+    /// Diffusivity times step in each cell, m²; for the lines of a velocity along itself.
+    pub(crate) in_cells: &'a [f32],
+    /// Zero where a value is free. Elsewhere it is held, and this is how much stronger than
+    /// between free values its neighbours across the direction of flow feel it; negative if
+    /// not at all. Empty where nothing is held.
+    pub(crate) held: &'a [f32],
+}
+
+/// Where the values of a bundle of lines lie.
+#[derive(Clone, Copy)]
+pub(crate) struct Bundle {
+    pub(crate) first: usize,
+    /// From a value of a line to its next.
+    pub(crate) along: usize,
+    /// From a line to the next.
+    pub(crate) across: usize,
+    pub(crate) lines: usize,
+}
+
+/// One axis of a field.
+#[derive(Clone, Copy)]
+pub(crate) struct Axis {
+    pub(crate) count: usize,
+    pub(crate) per_square_m: f32,
+    pub(crate) ends: [End; 2],
+    /// Whether the values are velocities along this axis: cells lie between them.
+    pub(crate) is_own: bool,
+}
+
+/// What one bundle needs: its place in the values read, in the coefficients, among the cells
+/// between its values, in the values written, and what its ends hold.
+pub(crate) struct Job<'a> {
+    /// Nothing where they are read from where they are written.
+    pub(crate) from: Option<&'a [f32]>,
+    pub(crate) from_at: Bundle,
+    pub(crate) field_at: Bundle,
+    pub(crate) cells_at: Bundle,
+    pub(crate) walls: [Wall<'a>; 2],
+}
+
+#[inline(always)]
+fn load(values: &[f32], at: Bundle, lines: &Range<usize>, node: usize) -> Lanes {
+    let first = at.first + at.along * node + at.across * lines.start;
+    if at.across == 1
+        && lines.len() == LANES
+        && let Some(lanes) = values[first..].first_chunk::<LANES>()
+    {
+        return *lanes;
+    }
+    std::array::from_fn(|lane| values[first + at.across * lane.min(lines.len() - 1)])
+}
+
+impl Varying<'_> {
+    /// Solves a bundle of lines; `out` gets the values at `out_at`.
+    #[inline(always)]
+    pub(crate) fn solve(self, axis: Axis, job: &Job<'_>, out: &mut [f32], out_at: Bundle) {
+        // Clearing long buffers for short lines would cost more than solving them.
+        if axis.count < 40 {
+            self.solve_blocks::<40>(axis, job, out, out_at);
+        } else if axis.count < 136 {
+            self.solve_blocks::<136>(axis, job, out, out_at);
+        } else {
+            self.solve_blocks::<{ MAX_AXIS_CELLS + 2 }>(axis, job, out, out_at);
+        }
+    }
+
+    #[inline(always)]
+    fn solve_blocks<const LONGEST: usize>(self, axis: Axis, job: &Job<'_>, out: &mut [f32], out_at: Bundle) {
+        let mut values = [[0.0_f32; LANES]; LONGEST];
+        let mut links = [[0.0_f32; LANES]; LONGEST];
+        let mut back = [[0.0_f32; LANES]; LONGEST];
+        let mut circle = [[0.0_f32; LANES]; LONGEST];
+        let count = axis.count;
+        for start in (0..job.field_at.lines).step_by(LANES) {
+            let lines = start..(start + LANES).min(job.field_at.lines);
+            let is_cyclic = axis.ends[0] == End::Cyclic;
+            let from = job.from.unwrap_or(out);
+            let ends = self.prepare(axis, job, from, &lines, &mut values[..count], &mut links[..=count]);
+            let free = |node: usize| self.free(job, &lines, node);
+            let last_weight = eliminate(axis, &ends, free, &mut values[..count], &links, &mut back, &mut circle);
+            for node in (0..count - 1).rev() {
+                let (low, high) = values.split_at_mut(node + 1);
+                for lane in 0..LANES {
+                    low[node][lane] += back[node][lane] * high[0][lane];
+                }
+            }
+            if is_cyclic {
+                for node in (0..count - 1).rev() {
+                    for lane in 0..LANES {
+                        circle[node][lane] += back[node][lane] * circle[node + 1][lane];
+                    }
+                }
+                close(&last_weight, &mut values[..count], &circle);
+            }
+            for (node, values) in values[..count].iter().enumerate() {
+                let first = out_at.first + out_at.along * node + out_at.across * lines.start;
+                for lane in 0..lines.len() {
+                    out[first + out_at.across * lane] = values[lane];
+                }
+            }
+        }
+    }
+
+    /// One where a value is free, zero where it is held.
+    #[inline(always)]
+    fn free(self, job: &Job<'_>, lines: &Range<usize>, node: usize) -> Lanes {
+        if self.held.is_empty() {
+            return [1.0; LANES];
+        }
+        load(self.held, job.field_at, lines, node).map(|held| if held == 0.0 { 1.0 } else { 0.0 })
+    }
+
+    /// Reads the values, and finds how strongly neighbours are linked: link `n` lies below value `n`.
+    #[inline(always)]
+    fn prepare(
+        self,
+        axis: Axis,
+        job: &Job<'_>,
+        from: &[f32],
+        lines: &Range<usize>,
+        values: &mut [Lanes],
+        links: &mut [Lanes],
+    ) -> Ends {
+        let count = axis.count;
+        let r = axis.per_square_m;
+        let number = |node: usize| load(self.at_values, job.field_at, lines, node);
+        let between = |low: usize, high: usize| {
+            let mut link = if axis.is_own {
+                load(self.in_cells, job.cells_at, lines, low).map(|number| r * number)
+            } else {
+                let (low, high) = (number(low), number(high));
+                std::array::from_fn(|lane| 0.5 * r * (low[lane] + high[lane]))
+            };
+            if !self.held.is_empty() {
+                let low = load(self.held, job.field_at, lines, low);
+                let high = load(self.held, job.field_at, lines, high);
+                for lane in 0..LANES {
+                    // At most one of the two counts: between two held values nothing matters.
+                    let held = if low[lane] == 0.0 { high[lane] } else { low[lane] };
+                    let across = if held > 0.0 { held } else { 0.0 };
+                    let factor = if held == 0.0 || axis.is_own { 1.0 } else { across };
+                    link[lane] *= factor;
+                }
+            }
+            link
+        };
+        for (node, value) in values.iter_mut().enumerate() {
+            *value = load(from, job.from_at, lines, node);
+        }
+        for (node, link) in links[..count].iter_mut().enumerate().skip(1) {
+            *link = between(node - 1, node);
+        }
+        let mut ends = Ends { held: [[0.0; LANES]; 2], wrap: [[0.0; LANES]; 2] };
+        for (end, node) in [0, count - 1].into_iter().enumerate() {
+            if axis.ends[end] == End::Held {
+                let number = number(node);
+                let free = self.free(job, lines, node);
+                let wall: Lanes = match job.walls[end] {
+                    Wall::Same(value) => [value; LANES],
+                    Wall::Each(values) => std::array::from_fn(|lane| values[lines.start + lane.min(lines.len() - 1)]),
+                };
+                for lane in 0..LANES {
+                    ends.held[end][lane] = 2.0 * r * number[lane] * free[lane];
+                    values[node][lane] += ends.held[end][lane] * wall[lane];
+                }
+            }
+        }
+        if axis.ends[0] == End::Cyclic {
+            let link = between(count - 1, 0);
+            for (wrap, node) in ends.wrap.iter_mut().zip([0, count - 1]) {
+                let free = self.free(job, lines, node);
+                *wrap = std::array::from_fn(|lane| link[lane] * free[lane]);
+            }
+        }
+        (links[0], links[count]) = ([0.0; LANES], [0.0; LANES]);
+        ends
+    }
+}
+
+/// What the ends of a bundle add.
+struct Ends {
+    /// Weight of what the sides hold.
+    held: [Lanes; 2],
+    /// Links of the first value to the last and of the last to the first.
+    wrap: [Lanes; 2],
+}
+
+/// Upward elimination. All is sums and products of what is positive, so that no digits are lost
+/// however strong the links. Returns the weight of the last value in what closes a circle.
+#[inline(always)]
+fn eliminate(
+    axis: Axis,
+    ends: &Ends,
+    free: impl Fn(usize) -> Lanes,
+    values: &mut [Lanes],
+    links: &[Lanes],
+    back: &mut [Lanes],
+    circle: &mut [Lanes],
+) -> Lanes {
+    let count = values.len();
+    let is_cyclic = axis.ends[0] == End::Cyclic;
+    // How much of the value below is not passed on from above it: one less `back`.
+    let mut rest = [1.0_f32; LANES];
+    let mut first_diagonal = [1.0_f32; LANES];
+    for node in 0..count {
+        let free = free(node);
+        let mut lower: Lanes = std::array::from_fn(|lane| links[node][lane] * free[lane]);
+        let mut upper: Lanes = std::array::from_fn(|lane| links[node + 1][lane] * free[lane]);
+        let mut own = [1.0_f32; LANES];
+        for (end, is_end) in [node == 0, node + 1 == count].into_iter().enumerate() {
+            if is_end {
+                match axis.ends[end] {
+                    End::Given => (lower, upper) = ([0.0; LANES], [0.0; LANES]),
+                    End::Mirror if end == 0 => upper = upper.map(|link| 2.0 * link),
+                    End::Mirror => lower = lower.map(|link| 2.0 * link),
+                    End::Held => (0..LANES).for_each(|lane| own[lane] += ends.held[end][lane]),
+                    End::Free | End::Cyclic => {}
+                }
+            }
+        }
+        if is_cyclic && node == 0 {
+            // Twice the diagonal.
+            for lane in 0..LANES {
+                first_diagonal[lane] = 1.0 + upper[lane] + ends.wrap[0][lane];
+                own[lane] = first_diagonal[lane] + 1.0 + ends.wrap[0][lane];
+            }
+        }
+        if is_cyclic && node + 1 == count {
+            for lane in 0..LANES {
+                own[lane] += ends.wrap[1][lane] * (1.0 + ends.wrap[0][lane] / first_diagonal[lane]);
+            }
+        }
+        let corner = |lane: usize| {
+            let first = if node == 0 { -first_diagonal[lane] } else { 0.0 };
+            first - if node + 1 == count { ends.wrap[1][lane] } else { 0.0 }
+        };
+        for lane in 0..LANES {
+            let kept = own[lane] + lower[lane] * rest[lane];
+            let pivot = kept + upper[lane];
+            let inverse = 1.0 / pivot;
+            let below = if node > 0 { values[node - 1][lane] } else { 0.0 };
+            values[node][lane] = (values[node][lane] + lower[lane] * below) * inverse;
+            back[node][lane] = upper[lane] * inverse;
+            rest[lane] = kept * inverse;
+            if is_cyclic {
+                let below = if node > 0 { circle[node - 1][lane] } else { 0.0 };
+                circle[node][lane] = (corner(lane) + lower[lane] * below) * inverse;
+            }
+        }
+    }
+    std::array::from_fn(|lane| ends.wrap[0][lane] / first_diagonal[lane])
+}
+
+/// Closes cyclic systems (J. Sherman and W. J. Morrison, 1950).
+#[inline(always)]
+fn close(last_weight: &Lanes, values: &mut [Lanes], circle: &[Lanes]) {
+    let last = values.len() - 1;
+    let off: Lanes = std::array::from_fn(|lane| {
+        let weight = last_weight[lane];
+        let all = 1.0 + circle[0][lane] + weight * circle[last][lane];
+        (values[0][lane] + weight * values[last][lane]) / all
+    });
+    for (value, circle) in values.iter_mut().zip(circle) {
+        for lane in 0..LANES {
+            value[lane] -= circle[lane] * off[lane];
+        }
+    }
+}
