@@ -6,6 +6,7 @@
 use glam::Vec3;
 
 use crate::advect::energy_plane;
+use crate::air::AIR_HEAT_CAPACITY_J_KG_K;
 use crate::error::{FluidError, check};
 use crate::fluid::Fluid;
 use crate::lanes::{max_abs, sum};
@@ -90,6 +91,18 @@ impl Fluid {
             total += plane;
         }
         0.5 * total / self.grid.count() as f64
+    }
+
+    /// Heat that the air holds above ambient, kJ: the sum over the cells of density times heat
+    /// capacity ([`crate::AIR_HEAT_CAPACITY_J_KG_K`]) times excess temperature times volume.
+    #[must_use]
+    pub fn total_heat_kj(&self) -> f64 {
+        let air = self.air();
+        let planes = self.state.temperature.data.chunks_exact(self.grid.plane());
+        let sums = planes.map(|plane| {
+            plane.iter().map(|kelvin| f64::from(air.density_kg_m3(*kelvin)) * f64::from(*kelvin)).sum::<f64>()
+        });
+        1.0e-3 * f64::from(AIR_HEAT_CAPACITY_J_KG_K) * self.grid.cell_volume_m3() * sums.sum::<f64>()
     }
 
     /// Volume that leaves through each side of the box, by axis and end, m³/s; negative where

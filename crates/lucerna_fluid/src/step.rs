@@ -34,7 +34,6 @@ impl Fluid {
     pub(crate) fn advance(&mut self, scratch: &mut Scratch, dt_s: f32) -> StepReport {
         let mut clock = Clock::start();
         let mut times = StageTimes::default();
-        self.expand();
         self.carry(scratch, dt_s);
         times.advection_ms = clock.lap_ms();
         self.burn(dt_s);

@@ -11,6 +11,7 @@ impl Fluid {
     pub(crate) fn advance_in_parts(&mut self, scratch: &mut Scratch, dt_s: f32) -> StepReport {
         let parts = self.parts(scratch, dt_s);
         let part_s = dt_s / parts as f32;
+        self.expand();
         let mut report = self.advance(scratch, part_s);
         for _ in 1..parts {
             report = together(&report, &self.advance(scratch, part_s));

@@ -8,11 +8,13 @@ use crate::grid::Grid;
 use crate::limits::MAX_DIFFUSION_NUMBER;
 use crate::sides::Side;
 
-/// Arrays for diffusivities that vary; empty until they are first needed.
+/// Arrays for the systems; empty until they are first needed.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Coefficients {
     in_cells: Vec<f32>,
     at_values: Vec<f32>,
+    /// Of a diffusivity that does not vary: along x, y and z.
+    lines: Option<Box<[Line; 3]>>,
 }
 
 impl Coefficients {
@@ -28,11 +30,19 @@ impl Coefficients {
         ends: [[End; 2]; 3],
         held: &'a [f32],
     ) -> Kind<'a> {
-        if diffusivity.eddy_m2_s.is_none() && held.is_empty() {
+        let is_even = diffusivity.eddy_m2_s.is_none() && held.is_empty();
+        if is_even {
             let line = |along: usize| {
                 Line::new(counts[along], diffusion_number(grid, along, diffusivity.uniform_m2_s, dt_s), ends[along])
             };
-            return Kind::Even(Box::new([line(0), line(1), line(2)]));
+            let lines = [line(0), line(1), line(2)];
+            match &mut self.lines {
+                Some(place) => **place = lines,
+                None => self.lines = Some(Box::new(lines)),
+            }
+        }
+        if let (true, Some(lines)) = (is_even, &self.lines) {
+            return Kind::Even(lines);
         }
         let most = MAX_DIFFUSION_NUMBER as f32 * grid.shortest_m() * grid.shortest_m();
         let spread = |eddy: f32| {

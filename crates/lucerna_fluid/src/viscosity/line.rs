@@ -19,6 +19,7 @@ pub(crate) enum End {
 
 /// A factored system: going up, each value becomes `scale * value + carry * the one below`;
 /// going down, `value + back * the one above`.
+#[derive(Clone, Debug)]
 pub(crate) struct Line {
     pub(crate) count: usize,
     pub(crate) scale: [f32; MAX_AXIS_CELLS + 1],
@@ -32,6 +33,7 @@ pub(crate) struct Line {
 
 /// What closes a cyclic system (J. Sherman and W. J. Morrison, 1950): the first value plus
 /// `last` times the last one, times `share`, has to be taken off.
+#[derive(Clone, Debug)]
 pub(crate) struct Circle {
     pub(crate) last: f32,
     pub(crate) share: [f32; MAX_AXIS_CELLS + 1],

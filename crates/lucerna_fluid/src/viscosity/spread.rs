@@ -24,7 +24,7 @@ pub(super) struct Spread<'a> {
 
 pub(super) enum Kind<'a> {
     /// One diffusivity everywhere: one system for all lines of an axis.
-    Even(Box<[Line; 3]>),
+    Even(&'a [Line; 3]),
     Varying(Varying<'a>),
 }
 

@@ -2,7 +2,7 @@
 
 use std::f32::consts::PI;
 
-use lucerna_fluid::{Fluid, FluidBuilder, FluidError, Side, Sides, Vec3};
+use lucerna_fluid::{Fluid, FluidBuilder, FluidError, Shape, Side, Sides, Source, Vec3, air_density_kg_m3};
 
 use crate::support::{divergence, random_velocity};
 
@@ -96,6 +96,22 @@ fn the_flow_through_the_sides_is_what_expands_inside() {
 }
 
 #[test]
+fn the_heat_put_in_is_the_heat_found() {
+    let mut fluid = Fluid::builder([9, 10, 8]).size_m(Vec3::new(0.5, 0.6, 0.4)).build().unwrap();
+    let shape = Shape::Sphere { centre: Vec3::new(0.25, 0.2, 0.2), radius_m: 0.12 };
+    fluid.attach_source(Source { heat_kw: 0.7, ..Source::new(shape) }).unwrap();
+    for _ in 0..40 {
+        fluid.step(0.01).unwrap();
+    }
+    let found = fluid.total_heat_kj();
+    println!("0.7 kW for 0.4 s: {found:.5} kJ found");
+    assert!((found / 0.28 - 1.0).abs() < 1.0e-3);
+    fluid.fill_temperature(|_| 100.0).unwrap();
+    let expected = f64::from(air_density_kg_m3(293.15)) * 1005.0 * 100.0 * 0.12e-3;
+    assert!((fluid.total_heat_kj() / expected - 1.0).abs() < 1.0e-5);
+}
+
+#[test]
 fn the_length_of_a_step_follows_speed_and_lift() {
     let still = |builder: FluidBuilder| builder.build().unwrap();
     assert_eq!(still(Fluid::builder([8; 3])).dt_for_cfl(1.0).unwrap(), 1.0e3);
@@ -120,7 +136,7 @@ fn figures_allocate_nothing() {
     let point = Vec3::splat(0.4);
     let mut sink = 0.0;
     let used = allocation_counter::measure(|| {
-        sink += fluid.mean_kinetic_energy_m2_s2() + fluid.mean_enstrophy_per_s2();
+        sink += fluid.mean_kinetic_energy_m2_s2() + fluid.mean_enstrophy_per_s2() + fluid.total_heat_kj();
         sink += fluid.side_flows_m3_s()[0][1] + f64::from(fluid.dt_for_cfl(1.0).unwrap());
         sink += f64::from(fluid.velocity(point).x + fluid.temperature(point) + fluid.vorticity_at(point).x);
         sink += fluid.state_hash() as f64;

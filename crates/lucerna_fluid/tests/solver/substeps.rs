@@ -1,6 +1,6 @@
 //! Steps that divide themselves.
 
-use lucerna_fluid::{Fluid, FluidError, Sides, StepReport, Vec3};
+use lucerna_fluid::{Couple, Fluid, FluidError, Shape, Sides, Source, StepReport, Vec3};
 
 fn windy(limit: Option<f32>, most: u32) -> Fluid {
     let builder = Fluid::builder([10; 3]).sides(Sides::OPEN).wind(Vec3::new(2.0, 0.0, 0.0)).cooling_per_s(0.5);
@@ -11,6 +11,9 @@ fn push(fluid: &mut Fluid) {
     fluid.add_heat(Vec3::splat(0.5), 0.3, 500.0).unwrap();
     fluid.add_acceleration(Vec3::splat(0.3), Vec3::new(0.0, 20.0, 0.0)).unwrap();
     fluid.add_expansion(Vec3::splat(0.5), 0.3, 2.0).unwrap();
+    let velocity = Some(Couple { value: Vec3::Y, per_s: 5.0 });
+    let shape = Shape::Sphere { centre: Vec3::splat(0.6), radius_m: 0.2 };
+    fluid.add_source(&Source { inflow_m3_s: 0.02, heat_kw: 3.0, velocity, ..Source::new(shape) }).unwrap();
 }
 
 #[test]
