@@ -2,9 +2,11 @@
 
 use std::time::Instant;
 
-use lucerna_fluid::{Fluid, FluidBatch, FluidBuilder, PressureSolver, Side, Sides, StageTimes, Vec3};
+use lucerna_fluid::{
+    Advection, Fluid, FluidBatch, FluidBuilder, PressureSolver, ScalarAdvection, Side, Sides, StageTimes, Trace, Vec3,
+};
 
-use crate::bounds::Counts;
+use crate::bounds::{Carrying, Counts};
 
 /// One way to run the solver.
 pub(crate) struct Variant {
@@ -14,12 +16,46 @@ pub(crate) struct Variant {
     pub(crate) counts: fn(usize) -> Counts,
 }
 
+const EULER: fn(FluidBuilder) -> FluidBuilder = |builder| {
+    let builder = builder.advection(Advection::SemiLagrangian).scalar_advection(ScalarAdvection::SemiLagrangian);
+    builder.trace(Trace::Euler)
+};
+
 pub(crate) const VARIANTS: &[Variant] = &[
-    Variant { name: "semi-Lagrangian, RK2", set: |builder| builder, counts: |n| Counts::semi_lagrangian(n, 2) },
     Variant {
-        name: "the same, 20 sweeps",
-        set: |builder| builder.pressure(PressureSolver::GaussSeidel { sweeps: 20 }),
-        counts: |_| Counts::semi_lagrangian(1, 2).with_sweeps(20),
+        name: "semi-Lagrangian, Euler trace",
+        set: EULER,
+        counts: |n| Counts::step(n, Carrying::Linear, Carrying::Linear, 1),
+    },
+    Variant {
+        name: "semi-Lagrangian, midpoint trace",
+        set: |builder| EULER(builder).trace(Trace::Midpoint),
+        counts: |n| Counts::step(n, Carrying::Linear, Carrying::Linear, 2),
+    },
+    Variant {
+        name: "MacCormack",
+        set: |builder| builder.advection(Advection::MacCormack).scalar_advection(ScalarAdvection::MacCormack),
+        counts: |n| Counts::step(n, Carrying::MacCormack, Carrying::MacCormack, 2),
+    },
+    Variant {
+        name: "MacCormack, flux (default)",
+        set: |builder| builder,
+        counts: |n| Counts::step(n, Carrying::MacCormack, Carrying::Flux, 2),
+    },
+    Variant {
+        name: "reflection, flux",
+        set: |builder| builder.advection(Advection::Reflection),
+        counts: |n| Counts::reflection(n, Carrying::Flux),
+    },
+    Variant {
+        name: "cubic",
+        set: |builder| builder.advection(Advection::Cubic).scalar_advection(ScalarAdvection::Cubic),
+        counts: |n| Counts::step(n, Carrying::Cubic, Carrying::Cubic, 2),
+    },
+    Variant {
+        name: "Euler trace, 20 sweeps",
+        set: |builder| EULER(builder).pressure(PressureSolver::GaussSeidel { sweeps: 20 }),
+        counts: |_| Counts::step_with_sweeps(20, Carrying::Linear, Carrying::Linear, 1),
     },
 ];
 

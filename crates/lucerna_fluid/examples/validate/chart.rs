@@ -33,7 +33,7 @@ pub(crate) enum Mark {
     Points,
 }
 
-/// Points with a name in the legend. Series of one colour number share a colour.
+/// Points with a name in the legend, or without one. Series of one colour number share a colour.
 pub(crate) struct Series {
     pub(crate) name: String,
     pub(crate) colour: usize,
@@ -41,11 +41,13 @@ pub(crate) struct Series {
     pub(crate) points: Vec<(f64, f64)>,
 }
 
-/// A chart with linear axes.
+/// A chart.
 pub(crate) struct Chart<'a> {
     pub(crate) title: &'a str,
     pub(crate) x: (&'a str, [f64; 2]),
     pub(crate) y: (&'a str, [f64; 2]),
+    /// Whether x are powers of two and y powers of ten, to be labelled as a count and in percent.
+    pub(crate) has_log_axes: bool,
     pub(crate) legend: SeriesLabelPosition,
     pub(crate) series: Vec<Series>,
 }
@@ -68,8 +70,8 @@ impl Chart<'_> {
             .y_desc(self.y.0)
             .x_labels(6)
             .y_labels(6)
-            .x_label_formatter(&label)
-            .y_label_formatter(&label)
+            .x_label_formatter(&|x| if self.has_log_axes { count_label(*x) } else { label(*x) })
+            .y_label_formatter(&|y| if self.has_log_axes { percent_label(*y) } else { label(*y) })
             .axis_desc_style(font(14))
             .label_style(font(12))
             .light_line_style(TRANSPARENT)
@@ -80,18 +82,26 @@ impl Chart<'_> {
         for series in &self.series {
             let colour = COLOURS[series.colour % COLOURS.len()];
             let points = series.points.iter().copied();
-            match series.mark {
-                Mark::Line => chart
-                    .draw_series(LineSeries::new(points, colour.stroke_width(2 * FINE)))?
-                    .label(series.name.as_str())
-                    .legend(move |(x, y)| {
-                        PathElement::new([(x, y), (x + 18 * PIXEL, y)], colour.stroke_width(2 * FINE))
-                    }),
-                Mark::Points => chart
-                    .draw_series(points.map(|point| Circle::new(point, 4 * PIXEL, colour.stroke_width(FINE))))?
-                    .label(series.name.as_str())
-                    .legend(move |(x, y)| Circle::new((x + 9 * PIXEL, y), 4 * PIXEL, colour.stroke_width(FINE))),
+            let drawn = match series.mark {
+                Mark::Line => chart.draw_series(LineSeries::new(points, colour.stroke_width(2 * FINE)))?,
+                Mark::Points => {
+                    chart.draw_series(points.map(|point| Circle::new(point, 4 * PIXEL, colour.stroke_width(FINE))))?
+                }
             };
+            if !series.name.is_empty() {
+                drawn.label(series.name.as_str());
+            }
+            match series.mark {
+                _ if series.name.is_empty() => {}
+                Mark::Line => {
+                    drawn.legend(move |(x, y)| {
+                        PathElement::new([(x, y), (x + 18 * PIXEL, y)], colour.stroke_width(2 * FINE))
+                    });
+                }
+                Mark::Points => {
+                    drawn.legend(move |(x, y)| Circle::new((x + 9 * PIXEL, y), 4 * PIXEL, colour.stroke_width(FINE)));
+                }
+            }
         }
         chart
             .configure_series_labels()
@@ -107,8 +117,18 @@ impl Chart<'_> {
 }
 
 /// One decimal place, and no minus before a zero that rounding has left.
-fn label(value: &f64) -> String {
+fn label(value: f64) -> String {
     format!("{:.1}", (10.0 * value).round() / 10.0 + 0.0)
+}
+
+/// A whole power of two.
+fn count_label(power: f64) -> String {
+    if power.fract() == 0.0 { format!("{:.0}", power.exp2()) } else { String::new() }
+}
+
+/// A whole power of ten, in percent.
+fn percent_label(power: f64) -> String {
+    if power.fract() == 0.0 { format!("{}", 10.0_f64.powf(power + 2.0)) } else { String::new() }
 }
 
 /// Writes charts side by side.

@@ -4,8 +4,12 @@
 
 mod cavity;
 mod chart;
+mod contour;
+mod decay;
+mod disk;
 mod heated;
 mod picture;
+mod plume;
 mod published;
 mod schemes;
 mod taylor_green;
@@ -27,8 +31,14 @@ struct Row {
 
 type Case = fn(&Path, &mut Vec<Row>) -> Outcome<()>;
 
-const CASES: &[(&str, Case)] =
-    &[("taylor_green", taylor_green::run), ("cavity", cavity::run), ("heated_cavity", heated::run)];
+const CASES: &[(&str, Case)] = &[
+    ("taylor_green", taylor_green::run),
+    ("decay", decay::run),
+    ("disk", disk::run),
+    ("cavity", cavity::run),
+    ("heated_cavity", heated::run),
+    ("plume", plume::run),
+];
 
 fn main() -> Outcome<()> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/plots");

@@ -1,6 +1,6 @@
-//! The ways to carry velocity that are compared.
+//! The ways to carry velocity and scalars that are compared.
 
-use lucerna_fluid::FluidBuilder;
+use lucerna_fluid::{Advection, FluidBuilder, ScalarAdvection};
 
 /// A scheme with its name.
 pub(crate) struct Scheme {
@@ -8,4 +8,18 @@ pub(crate) struct Scheme {
     pub(crate) set: fn(FluidBuilder) -> FluidBuilder,
 }
 
-pub(crate) const SCHEMES: &[Scheme] = &[Scheme { name: "semi-Lagrangian", set: |builder| builder }];
+/// The ways to carry velocity.
+pub(crate) const SCHEMES: &[Scheme] = &[
+    Scheme { name: "semi-Lagrangian", set: |builder| builder.advection(Advection::SemiLagrangian) },
+    Scheme { name: "monotone cubic", set: |builder| builder.advection(Advection::Cubic) },
+    Scheme { name: "MacCormack (default)", set: |builder| builder.advection(Advection::MacCormack) },
+    Scheme { name: "reflection", set: |builder| builder.advection(Advection::Reflection) },
+];
+
+/// The ways to carry a scalar.
+pub(crate) const SCALAR_SCHEMES: &[Scheme] = &[
+    Scheme { name: "semi-Lagrangian", set: |builder| builder.scalar_advection(ScalarAdvection::SemiLagrangian) },
+    Scheme { name: "monotone cubic", set: |builder| builder.scalar_advection(ScalarAdvection::Cubic) },
+    Scheme { name: "MacCormack", set: |builder| builder.scalar_advection(ScalarAdvection::MacCormack) },
+    Scheme { name: "flux (default)", set: |builder| builder.scalar_advection(ScalarAdvection::Flux) },
+];

@@ -50,6 +50,7 @@ pub(crate) fn run(folder: &Path, rows: &mut Vec<Row>) -> Outcome<()> {
             title,
             x: ("time, s", [0.0, END_S]),
             y: ("kinetic energy, of the start's", [0.4, 1.1]),
+            has_log_axes: false,
             legend: SeriesLabelPosition::LowerLeft,
             series: std::mem::take(series),
         })
