@@ -10,6 +10,7 @@ use crate::error::{FluidError, check, check_vec};
 use crate::fluid::{Fluid, Settings};
 use crate::grid::Grid;
 use crate::limits::{MAX_AXIS_CELLS, MAX_CELLS, MIN_AXIS_CELLS};
+use crate::physics::Physics;
 use crate::pressure::{PressureSolver, Tables};
 use crate::scalars::Scalars;
 use crate::scratch::Scratch;
@@ -40,6 +41,7 @@ pub struct FluidBuilder {
     pub(crate) pressure: PressureSolver,
     pub(crate) simd: SimdLevel,
     pub(crate) scalars: Scalars,
+    pub(crate) physics: Physics,
 }
 
 impl Fluid {
@@ -65,6 +67,7 @@ impl Fluid {
             pressure: PressureSolver::Direct,
             simd: SimdLevel::default(),
             scalars: Scalars::default(),
+            physics: Physics::default(),
         }
     }
 }
@@ -236,6 +239,7 @@ impl FluidBuilder {
             thermal_diffusivity_m2_s: check_thermal_diffusivity(self.thermal_diffusivity_m2_s)?,
             cfl_limit: check_cfl_limit(self.cfl_limit)?,
             max_substeps: check_max_substeps(self.max_substeps)?,
+            physics: self.physics,
         };
         if let PressureSolver::GaussSeidel { sweeps } = self.pressure {
             check("pressure sweeps", sweeps as f32, 1.0, 1.0e4, "1 to 10000")?;
@@ -243,6 +247,7 @@ impl FluidBuilder {
         self.scalars.check()?;
         let mut grid = Grid::new(self.cells, self.origin, self.size_m, self.sides.by_axis());
         grid.exec.simd = Simd::of(self.simd);
+        self.physics.check(&grid, &self.scalars, self.scalar_advection)?;
         Ok((grid, settings))
     }
 }

@@ -7,9 +7,8 @@
 
 use crate::field::Field;
 use crate::grid::Grid;
-use crate::limits::MAX_AXIS_CELLS;
 use crate::parallel::for_planes;
-use crate::sides::Side;
+use crate::slopes::{EMPTY_ROW, is_periodic, neighbours, pad, parts, per_m};
 
 /// Arrays that confinement works in; empty until it is first used.
 #[derive(Default)]
@@ -21,9 +20,6 @@ pub(crate) struct Confinement {
     /// One over the distance between the neighbours of a cell, 1/m, by axis and index.
     per_m: [Vec<f32>; 3],
 }
-
-/// A row with a neighbour on either end.
-type Padded = [f32; MAX_AXIS_CELLS + 2];
 
 impl Confinement {
     /// Adds the acceleration `strength * edge * (N x vorticity)`; `strength` in 1/s.
@@ -66,47 +62,9 @@ impl Confinement {
         if self.vorticity.len() != 4 * grid.count() {
             self.vorticity = vec![0.0; 4 * grid.count()];
             self.push = vec![0.0; 3 * grid.count()];
-            self.per_m = std::array::from_fn(|axis| {
-                let count = grid.cells[axis];
-                let inverse = 1.0 / grid.cell_m[axis];
-                let is_between = |index: usize| is_periodic(grid, axis) || (index > 0 && index + 1 < count);
-                (0..count).map(|index| if is_between(index) { 0.5 * inverse } else { inverse }).collect()
-            });
+            self.per_m = per_m(grid);
         }
     }
-}
-
-fn is_periodic(grid: &Grid, axis: usize) -> bool {
-    grid.sides[axis][0] == Side::Periodic
-}
-
-/// Indices of a cell's neighbours along an axis; its own where there is none.
-#[inline(always)]
-fn neighbours(grid: &Grid, axis: usize, index: usize) -> (usize, usize) {
-    let count = grid.cells[axis];
-    let is_periodic = is_periodic(grid, axis);
-    let low = if index > 0 {
-        index - 1
-    } else if is_periodic {
-        count - 1
-    } else {
-        index
-    };
-    let high = if index + 1 < count {
-        index + 1
-    } else if is_periodic {
-        0
-    } else {
-        index
-    };
-    (low, high)
-}
-
-/// Puts the neighbours beyond the ends of a row into their places.
-#[inline(always)]
-fn pad(row: &mut [f32], is_periodic: bool) {
-    let last = row.len() - 2;
-    (row[0], row[last + 1]) = if is_periodic { (row[last], row[1]) } else { (row[1], row[last]) };
 }
 
 /// Vorticity of one plane from the velocities at the centres, which are means of two faces.
@@ -116,7 +74,7 @@ fn vorticity_plane(grid: &Grid, [u, v, w]: &[Field; 3], per_m: &[Vec<f32>; 3], k
     let plane = grid.plane();
     let wraps = is_periodic(grid, 0);
     let (k_low, k_high) = neighbours(grid, 2, k);
-    let (mut v_row, mut w_row): (Padded, Padded) = ([0.0; MAX_AXIS_CELLS + 2], [0.0; MAX_AXIS_CELLS + 2]);
+    let (mut v_row, mut w_row) = (EMPTY_ROW, EMPTY_ROW);
     let (v_row, w_row) = (&mut v_row[..nx + 2], &mut w_row[..nx + 2]);
     let u_at = |j: usize, k: usize| &u.data[(nx + 1) * (j + ny * k)..][..nx + 1];
     let v_at = |j: usize, k: usize| v.data[nx * (j + (ny + 1) * k)..][..2 * nx].split_at(nx);
@@ -158,13 +116,6 @@ fn vorticity_plane(grid: &Grid, [u, v, w]: &[Field; 3], per_m: &[Vec<f32>; 3], k
     }
 }
 
-/// Splits a run into arrays of `plane` values.
-#[inline(always)]
-fn parts<const N: usize>(values: &mut [f32], plane: usize) -> [&mut [f32]; N] {
-    let mut chunks = values.chunks_exact_mut(plane);
-    std::array::from_fn(|_| chunks.next().unwrap_or_default())
-}
-
 /// `scale * (N x vorticity)` of one plane, N the direction in which the vorticity grows.
 #[inline(always)]
 fn push_plane(grid: &Grid, vorticity: &[f32], per_m: &[Vec<f32>; 3], scale: f32, k: usize, out: &mut [f32]) {
@@ -173,7 +124,7 @@ fn push_plane(grid: &Grid, vorticity: &[f32], per_m: &[Vec<f32>; 3], scale: f32,
     let wraps = is_periodic(grid, 0);
     let (k_low, k_high) = neighbours(grid, 2, k);
     let part = |part: usize, j: usize, k: usize| &vorticity[(4 * k + part) * plane + j * nx..][..nx];
-    let mut row: Padded = [0.0; MAX_AXIS_CELLS + 2];
+    let mut row = EMPTY_ROW;
     let row = &mut row[..nx + 2];
     let per_x = &per_m[0][..nx];
     let per_z = per_m[2][k];

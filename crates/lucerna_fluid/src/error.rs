@@ -94,6 +94,20 @@ pub enum FluidError {
         /// The number of the source.
         id: u64,
     },
+    /// Variable density in a box that nothing can leave.
+    #[error("density is low_mach in a box without an open side; allowed: low_mach with an open side")]
+    SealedLowMach,
+    /// Variable density with a scheme for scalars that does not keep their mass.
+    #[error(
+        "density is low_mach, and scalars are not carried through the faces; allowed: low_mach with the scheme flux"
+    )]
+    UnevenLowMach,
+    /// Combustion without one of the scalars that it needs.
+    #[error("combustion lacks the scalar {name}; allowed: what FluidBuilder::combustion sets up")]
+    CombustionScalar {
+        /// Which one: `fuel`, `oxygen` or `soot`.
+        name: &'static str,
+    },
     /// A mesh that cannot be the shape of a source.
     #[error("the mesh {problem}; allowed: triangles between existing corners, closed if their inside is meant")]
     Mesh {

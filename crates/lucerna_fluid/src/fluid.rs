@@ -9,6 +9,7 @@ use crate::error::{FluidError, check};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::limits::MAX_DT_S;
+use crate::physics::Physics;
 use crate::pressure::{PressureSolver, Projected, Projection, Tables};
 use crate::report::StepReport;
 use crate::scalars::{Pack, Scalars};
@@ -30,6 +31,7 @@ pub(crate) struct Settings {
     pub(crate) scalar_advection: ScalarAdvection,
     pub(crate) cfl_limit: Option<f32>,
     pub(crate) max_substeps: u32,
+    pub(crate) physics: Physics,
 }
 
 /// What time changes.
@@ -43,6 +45,8 @@ pub(crate) struct State {
     pub(crate) packs: Vec<Pack>,
     /// Velocity potential of the last projection, m²/s.
     pub(crate) potential: Vec<f32>,
+    /// Pressure over ambient density of the last step, m²/s²; empty unless density varies.
+    pub(crate) pressure: Vec<f32>,
 }
 
 /// What was added for the coming step, and whether there is any of it. An array is empty until
@@ -135,6 +139,7 @@ impl Fluid {
                 temperature: Field::at_centres(&grid),
                 packs: vec![vec![[0.0; 4]; grid.count()]; scalars.packs()],
                 potential: vec![0.0; grid.count()],
+                pressure: Vec::new(),
             },
             sources: Sources::default(),
             given: GivenSides::default(),
@@ -158,6 +163,7 @@ impl Fluid {
             pack.fill(self.scalars.outside(index));
         }
         self.state.potential.fill(0.0);
+        self.state.pressure.clear();
         self.sources.clear();
         for (field, wind) in self.state.velocity.iter_mut().zip(self.settings.wind_m_s.to_array()) {
             field.data.fill(wind);
@@ -175,7 +181,7 @@ impl Fluid {
 
     /// Subtracts the gradient that leaves the divergence asked for.
     pub(crate) fn project(&mut self, scratch: &mut Scratch, with_expansion: bool) -> Projected {
-        let expansion = with_expansion.then_some(self.sources.expansion.as_slice());
+        let expansion = with_expansion.then_some(scratch.expansion.as_slice());
         let mut projection =
             Projection { grid: &self.grid, tables: &self.tables, mask: None, spare: &mut scratch.pressure };
         projection.project(&mut self.state.velocity, expansion, &mut self.state.potential)

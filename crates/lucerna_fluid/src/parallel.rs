@@ -55,6 +55,35 @@ pub(crate) fn for_planes<T: Send>(
     }
 }
 
+/// As [`for_planes`]; each plane also fills its partial result. Returns their combination.
+pub(crate) fn reduce_planes<T: Send>(
+    exec: Execution,
+    data: &mut [T],
+    plane: usize,
+    partials: &mut [Partial],
+    work: impl Fn(usize, &mut [T]) -> Partial + Sync + Send,
+) -> Partial {
+    let planes = data.len() / plane;
+    if exec.is_parallel {
+        let shared = data.par_chunks_mut(plane).zip(partials.par_iter_mut()).enumerate();
+        shared.for_each(|(k, (values, partial))| {
+            *partial = exec.simd.run(
+                #[inline(always)]
+                || work(k, values),
+            );
+        });
+    } else {
+        let planes = data.chunks_mut(plane).zip(partials.iter_mut()).enumerate();
+        planes.for_each(|(k, (values, partial))| {
+            *partial = exec.simd.run(
+                #[inline(always)]
+                || work(k, values),
+            );
+        });
+    }
+    Partial::combine(&partials[..planes])
+}
+
 /// Fills each plane's partial result without writing to a field. Returns their combination.
 pub(crate) fn reduce(
     exec: Execution,

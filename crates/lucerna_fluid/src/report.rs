@@ -1,5 +1,7 @@
 //! What a step reports.
 
+use crate::combustion::CombustionReport;
+
 /// How a step went. Divergences are relative: times the shortest edge of a cell, over the
 /// greatest face speed that the projection met or left. A value of 1 is a cell that empties
 /// itself at full speed; rounding leaves 1e-6 to 1e-4 after [`crate::PressureSolver::Direct`].
@@ -41,6 +43,11 @@ pub struct StepReport {
     pub pressure_iterations: u32,
     /// Parts into which the step was divided; see [`crate::FluidBuilder::cfl_limit`].
     pub substeps: u32,
+    /// Heat that the air carried out of the box through its sides, less what it carried in, kW:
+    /// what the transport of temperature took out of the box.
+    pub carried_out_kw: f32,
+    /// What burnt and radiated.
+    pub combustion: CombustionReport,
     /// Time that each stage took.
     pub times: StageTimes,
 }

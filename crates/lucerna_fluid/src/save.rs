@@ -52,6 +52,8 @@ struct SavedState {
     temperature: Vec<f32>,
     packs: Vec<Vec<[f32; 4]>>,
     potential: Vec<f32>,
+    /// Empty unless density varies.
+    pressure: Vec<f32>,
     max_speed_m_s: f32,
 }
 
@@ -131,6 +133,7 @@ impl Fluid {
             advection,
             trace,
             scalar_advection,
+            physics,
         } = self.settings;
         FluidBuilder {
             cells: self.grid.cells,
@@ -151,6 +154,7 @@ impl Fluid {
             pressure: self.pressure,
             simd: self.grid.exec.simd.level(),
             scalars: self.scalars.clone(),
+            physics,
         }
     }
 
@@ -158,7 +162,7 @@ impl Fluid {
     /// was added for the coming step.
     #[must_use]
     pub fn save(&self) -> Snapshot {
-        let State { velocity, temperature, packs, potential } = &self.state;
+        let State { velocity, temperature, packs, potential, pressure } = &self.state;
         let Sources {
             acceleration,
             has_acceleration,
@@ -180,6 +184,7 @@ impl Fluid {
                 temperature: temperature.data.clone(),
                 packs: packs.clone(),
                 potential: potential.clone(),
+                pressure: pressure.clone(),
                 max_speed_m_s: self.max_speed_m_s,
             },
             pending: Pending {
@@ -231,13 +236,14 @@ impl Fluid {
 impl Snapshot {
     /// Copies arrays that have been checked into a fluid of their shape.
     fn copy_into(&self, fluid: &mut Fluid, placed: Placed) {
-        let SavedState { velocity, temperature, packs, potential, max_speed_m_s } = &self.state;
+        let SavedState { velocity, temperature, packs, potential, pressure, max_speed_m_s } = &self.state;
         for (field, saved) in fluid.state.velocity.iter_mut().zip(velocity) {
             field.data.copy_from_slice(saved);
         }
         fluid.state.temperature.data.copy_from_slice(temperature);
         fluid.state.packs.clone_from(packs);
         fluid.state.potential.copy_from_slice(potential);
+        fluid.state.pressure.clone_from(pressure);
         fluid.max_speed_m_s = *max_speed_m_s;
         fluid.given.clone_from(&self.given);
         let Pending { acceleration, heat, expansion, scalars, placed: _ } = self.pending.clone();

@@ -37,7 +37,12 @@ pub struct ScalarId(usize);
 impl ScalarId {
     /// The pack it is in, and where in it.
     pub(crate) fn slot(self) -> (usize, usize) {
-        (self.0 / PACK, self.0 % PACK)
+        Self::slot_of(self.0)
+    }
+
+    /// The same for an index.
+    pub(crate) fn slot_of(index: usize) -> (usize, usize) {
+        (index / PACK, index % PACK)
     }
 }
 

@@ -1,11 +1,13 @@
 //! Arrays that a step works in and nobody reads between steps.
 
 use crate::advect::Carrier;
+use crate::combustion::Reactor;
 use crate::confinement::Confinement;
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::parallel::Partial;
 use crate::pressure;
+use crate::turbulence::Strain;
 use crate::viscosity::Coefficients;
 
 /// Taken once; a step allocates nothing.
@@ -19,6 +21,10 @@ pub(crate) struct Scratch {
     /// Of viscosity and conduction that vary.
     pub(crate) coefficients: Coefficients,
     pub(crate) pressure: pressure::Spare,
+    /// What the flow is to expand by, 1/s by cell; empty until anything does.
+    pub(crate) expansion: Vec<f32>,
+    pub(crate) strain: Strain,
+    pub(crate) reactor: Reactor,
     /// One a plane of faces.
     pub(crate) partials: Vec<Partial>,
 }
@@ -33,6 +39,9 @@ impl Scratch {
             confinement: Confinement::default(),
             coefficients: Coefficients::default(),
             pressure: pressure::Spare::new(grid),
+            expansion: Vec::new(),
+            strain: Strain::default(),
+            reactor: Reactor::default(),
             partials: vec![Partial::default(); grid.cells[2] + 1],
         }
     }

@@ -19,7 +19,7 @@ use crate::error::{FluidError, check, check_vec};
 use crate::limits::{MAX_ACCELERATION_M_S2, MAX_SPEED_M_S, MAX_TEMPERATURE_K};
 use crate::scalars::{MAX_SCALAR, ScalarId};
 pub(crate) use add::{add_ball, check_ball};
-pub(crate) use apply::Air;
+pub(crate) use apply::{Air, kelvin_from_share, share_from_kelvin};
 pub use place::SourceId;
 pub(crate) use place::{Placed, SavedSources};
 pub(crate) use settings::fill;

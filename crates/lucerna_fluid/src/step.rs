@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use crate::density::{self, Density};
 use crate::fluid::Fluid;
 use crate::forces;
 use crate::lanes::highest;
@@ -10,6 +11,7 @@ use crate::pressure::Projected;
 use crate::report::{StageTimes, StepReport};
 use crate::scratch::Scratch;
 use crate::sides::{Walls, fix_sides, push_wind};
+use crate::source::share_from_kelvin;
 use crate::viscosity::{Diffusivity, Held, diffuse_scalar, diffuse_velocity};
 
 /// Takes the time of each stage. There is no clock on bare WebAssembly: all times are zero.
@@ -34,18 +36,21 @@ impl Fluid {
     pub(crate) fn advance(&mut self, scratch: &mut Scratch, dt_s: f32) -> StepReport {
         let mut clock = Clock::start();
         let mut times = StageTimes::default();
-        self.carry(scratch, dt_s);
+        self.expand(scratch);
+        let carried_out_kw = self.carry_heat(scratch, dt_s);
         times.advection_ms = clock.lap_ms();
-        self.burn(dt_s);
+        let combustion = self.burn(scratch, dt_s);
         self.push(scratch, dt_s);
         times.forces_ms = clock.lap_ms();
         self.rub(scratch, dt_s);
         times.viscosity_ms = clock.lap_ms();
-        let projected = self.project(scratch, self.sources.has_expansion);
+        let projected = self.press(scratch, dt_s);
         times.pressure_ms = clock.lap_ms();
         let mut report = self.report(scratch, dt_s, projected);
         times.report_ms = clock.lap_ms();
         report.times = times;
+        report.carried_out_kw = carried_out_kw;
+        report.combustion = combustion;
         report
     }
 
@@ -57,7 +62,14 @@ impl Fluid {
         if settings.vorticity_confinement > 0.0 {
             scratch.confinement.apply(grid, velocity, settings.vorticity_confinement, dt_s);
         }
-        forces::buoyancy(grid, &mut velocity[1], &state.temperature, settings.ambient_k, dt_s);
+        forces::buoyancy(
+            grid,
+            &mut velocity[1],
+            &state.temperature,
+            settings.physics.density,
+            settings.ambient_k,
+            dt_s,
+        );
         if sources.has_acceleration {
             for (field, acceleration) in velocity.iter_mut().zip(&sources.acceleration) {
                 forces::accelerate(grid, field, acceleration, dt_s);
@@ -74,16 +86,37 @@ impl Fluid {
         let walls = Walls::of(settings, given);
         fix_sides(grid, &mut state.velocity, walls);
         let held = Held::default();
-        let viscosity = Diffusivity { uniform_m2_s: settings.viscosity_m2_s, eddy_m2_s: None };
-        let Scratch { next_velocity, next_temperature, coefficients, .. } = scratch;
+        let Scratch { next_velocity, next_temperature, coefficients, strain, scalar, expansion, .. } = scratch;
+        let eddies = settings.physics.smagorinsky > 0.0;
+        if eddies {
+            strain.measure(grid, &state.velocity);
+            strain.become_viscosity(grid, settings.physics.smagorinsky);
+        }
+        let eddy_m2_s = eddies.then_some(strain.values.as_slice());
+        let viscosity = Diffusivity { uniform_m2_s: settings.viscosity_m2_s, eddy_m2_s };
         if viscosity.acts() {
             diffuse_velocity(grid, &mut state.velocity, viscosity, dt_s, walls, held, next_velocity, coefficients);
             fix_sides(grid, &mut state.velocity, walls);
         }
-        let conduction = Diffusivity { uniform_m2_s: settings.thermal_diffusivity_m2_s, eddy_m2_s: None };
+        if eddies {
+            strain.scale(grid, 1.0 / settings.physics.turbulent_prandtl);
+        }
+        let eddy_m2_s = eddies.then_some(strain.values.as_slice());
+        let conduction = Diffusivity { uniform_m2_s: settings.thermal_diffusivity_m2_s, eddy_m2_s };
         if conduction.acts() {
-            let (field, sides) = (&mut state.temperature, given.temperature_k);
+            let is_thinned = settings.physics.density == Density::LowMach;
+            let (field, mut sides) = (&mut state.temperature, given.temperature_k);
+            if is_thinned {
+                density::to_shares(grid, field, settings.ambient_k);
+                scalar.data.copy_from_slice(&field.data);
+                let share = |kelvin: f32| share_from_kelvin(kelvin, settings.ambient_k);
+                sides = sides.map(|ends| ends.map(|kelvin| kelvin.map(share)));
+            }
             diffuse_scalar(grid, field, conduction, dt_s, sides, held, next_temperature, coefficients);
+            if is_thinned {
+                density::add_growth(grid, expansion, &scalar.data, &field.data, dt_s);
+                density::to_kelvin(grid, field, settings.ambient_k);
+            }
         }
     }
 

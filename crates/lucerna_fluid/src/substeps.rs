@@ -1,5 +1,6 @@
 //! A step divided into parts, so that none carries the air too far at once.
 
+use crate::combustion::CombustionReport;
 use crate::fluid::Fluid;
 use crate::pressure::speeds;
 use crate::report::{StageTimes, StepReport};
@@ -11,7 +12,6 @@ impl Fluid {
     pub(crate) fn advance_in_parts(&mut self, scratch: &mut Scratch, dt_s: f32) -> StepReport {
         let parts = self.parts(scratch, dt_s);
         let part_s = dt_s / parts as f32;
-        self.expand();
         let mut report = self.advance(scratch, part_s);
         for _ in 1..parts {
             report = together(&report, &self.advance(scratch, part_s));
@@ -33,6 +33,7 @@ impl Fluid {
 /// Two parts as one: the worst of what is left undone, sums of work, and the state at the end.
 fn together(first: &StepReport, then: &StepReport) -> StepReport {
     let times = (&first.times, &then.times);
+    let mean = |a: f32, b: f32| (a * first.dt_s + b * then.dt_s) / (first.dt_s + then.dt_s);
     StepReport {
         dt_s: first.dt_s + then.dt_s,
         pressure_residual: first.pressure_residual.max(then.pressure_residual),
@@ -48,6 +49,13 @@ fn together(first: &StepReport, then: &StepReport) -> StepReport {
         max_temperature_k: then.max_temperature_k,
         pressure_iterations: first.pressure_iterations + then.pressure_iterations,
         substeps: first.substeps + then.substeps,
+        carried_out_kw: mean(first.carried_out_kw, then.carried_out_kw),
+        combustion: CombustionReport {
+            heat_release_kw: mean(first.combustion.heat_release_kw, then.combustion.heat_release_kw),
+            radiated_kw: mean(first.combustion.radiated_kw, then.combustion.radiated_kw),
+            burnt_kg_s: mean(first.combustion.burnt_kg_s, then.combustion.burnt_kg_s),
+            fuel_kg: then.combustion.fuel_kg,
+        },
         times: StageTimes {
             advection_ms: times.0.advection_ms + times.1.advection_ms,
             forces_ms: times.0.forces_ms + times.1.forces_ms,

@@ -55,6 +55,9 @@ pub(crate) struct Flow<'a> {
     pub(crate) frame: [f32; 3],
     /// By face: 0 where nothing may pass, as beside solid cells, and 1 elsewhere.
     pub(crate) open: Option<&'a [Vec<f32>; 3]>,
+    /// Whether what gas holds is kept where it expands, `dT/dt + div (u T) = 0`, instead of the
+    /// value in it.
+    pub(crate) thins: bool,
 }
 
 /// One part of a step.
@@ -220,7 +223,7 @@ impl PlaneKernel<f32> for Pass<'_> {
                 self.row([j_at, k_at + 1], &outside),
                 self.row([j_at, k_at + 2], &outside),
             ];
-            if self.is_even(simd, &rows, self.outside.value) {
+            if !self.flow.thins && self.is_even(simd, &rows, self.outside.value) {
                 out.copy_from_slice(rows[0]);
                 continue;
             }
@@ -247,7 +250,11 @@ impl PlaneKernel<f32> for Pass<'_> {
                     - v_high * (face(simd, v_high, [y1, here, y3, y4]) - here);
                 let along_z = w_low * (face(simd, w_low, [z0, z1, here, z3]) - here)
                     - w_high * (face(simd, w_high, [z1, here, z3, z4]) - here);
-                store(&mut out[first..], here + (along_y + (along_x + along_z)));
+                let mut change = along_y + (along_x + along_z);
+                if self.flow.thins {
+                    change += here * ((v_low - v_high) + ((u_low - u_high) + (w_low - w_high)));
+                }
+                store(&mut out[first..], here + change);
             }
         }
         Partial::default()

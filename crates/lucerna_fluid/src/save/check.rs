@@ -17,7 +17,7 @@ impl Snapshot {
         }
         let (grid, settings) = self.setup.checked()?;
         let (count, faces) = (grid.count(), [0, 1, 2].map(|axis| grid.face_counts(axis).iter().product()));
-        let SavedState { velocity, temperature, packs, potential, max_speed_m_s } = &self.state;
+        let SavedState { velocity, temperature, packs, potential, pressure, max_speed_m_s } = &self.state;
         for (values, faces) in velocity.iter().zip(faces) {
             array("velocity", values, faces, ROUNDING * MAX_SPEED_M_S)?;
         }
@@ -28,6 +28,7 @@ impl Snapshot {
             finite("scalars", pack.as_flattened(), ROUNDING * MAX_SCALAR)?;
         }
         array("potential", potential, count, f32::MAX)?;
+        array("pressure", pressure, if pressure.is_empty() { 0 } else { count }, f32::MAX)?;
         array("max_speed_m_s", &[*max_speed_m_s], 1, ROUNDING * MAX_SPEED_M_S)?;
         self.given.check(&grid)?;
         // Placed sources are checked as they are placed.

@@ -1,9 +1,9 @@
 //! What placed sources do in a step.
 
-use crate::air::{AIR_GAS_CONSTANT_J_KG_K, AIR_HEAT_CAPACITY_J_KG_K, AIR_PRESSURE_PA};
+use crate::air::{AIR_GAS_CONSTANT_J_KG_K, AIR_HEAT_CAPACITY_J_KG_K, AIR_PRESSURE_PA, air_density_kg_m3};
 use crate::field::Field;
 use crate::grid::Grid;
-use crate::limits::{MAX_ACCELERATION_M_S2, MAX_TEMPERATURE_K};
+use crate::limits::{MAX_ACCELERATION_M_S2, MAX_EXPANSION_PER_S, MAX_TEMPERATURE_K};
 use crate::scalars::{MAX_SCALAR, Pack};
 use crate::sides::Side;
 
@@ -23,11 +23,19 @@ pub(crate) struct Air {
 }
 
 impl Air {
+    pub(crate) fn ambient_density_kg_m3(self) -> f32 {
+        air_density_kg_m3(self.ambient_k)
+    }
+
+    /// Heat that warms a cell of ambient air by a kelvin, kJ.
+    pub(crate) fn kilojoules_per_k(self) -> f64 {
+        1.0e-3 * self.cell_volume_m3 * f64::from(self.ambient_density_kg_m3() * AIR_HEAT_CAPACITY_J_KG_K)
+    }
+
     /// Density at a temperature above ambient, kg/m³.
     #[inline(always)]
     pub(crate) fn density_kg_m3(self, kelvin: f32) -> f32 {
-        let kelvin = if self.is_thinned_by_heat { self.ambient_k + kelvin } else { self.ambient_k };
-        AIR_PRESSURE_PA / (AIR_GAS_CONSTANT_J_KG_K * kelvin)
+        air_density_kg_m3(if self.is_thinned_by_heat { self.ambient_k + kelvin } else { self.ambient_k })
     }
 
     /// Temperature above ambient after heat of `kw_m3` for `dt_s`. Where the density is constant,
@@ -81,7 +89,7 @@ impl Placed {
             if rate != 0.0 {
                 for (cell, share) in &voxels.cells {
                     let value = &mut expansion[*cell as usize];
-                    *value = (*value + rate * share).clamp(-1.0e4, 1.0e4);
+                    *value = (*value + rate * share).clamp(-MAX_EXPANSION_PER_S, MAX_EXPANSION_PER_S);
                 }
             }
         }
@@ -113,24 +121,27 @@ impl Placed {
         }
     }
 
-    /// Adds to scalars and draws them.
+    /// Adds to scalars and draws them. Where heat thins the air, scalars are densities over the
+    /// density of ambient air here.
     pub(crate) fn feed(&self, air: Air, kelvin: &[f32], packs: &mut [Pack], dt_s: f32) {
         for Entry { source, voxels } in self.iter() {
             for scalar in &source.scalars {
                 let (pack, at) = scalar.scalar.slot();
                 let Some(pack) = packs.get_mut(pack) else { continue };
-                let kg_s_m3 = f64::from(scalar.kg_s) / (voxels.total * air.cell_volume_m3);
+                let mass_m3 = voxels.total * air.cell_volume_m3 * f64::from(air.ambient_density_kg_m3());
+                let by_mass = f64::from(scalar.kg_s) / mass_m3;
                 for (cell, share) in &voxels.cells {
                     let value = &mut pack[*cell as usize][at];
-                    let by_mass = if kg_s_m3 == 0.0 {
-                        0.0
+                    let weight = if air.is_thinned_by_heat {
+                        air.ambient_k / (air.ambient_k + kelvin[*cell as usize])
                     } else {
-                        kg_s_m3 / f64::from(air.density_kg_m3(kelvin[*cell as usize]))
+                        1.0
                     };
-                    let rate = (f64::from(*share) * (by_mass + f64::from(scalar.per_s))).clamp(-MAX_RATE, MAX_RATE);
-                    *value = (*value + dt_s * rate as f32).clamp(-MAX_SCALAR, MAX_SCALAR);
+                    let rate = f64::from(*share) * (by_mass + f64::from(scalar.per_s * weight));
+                    let more = dt_s * rate.clamp(-MAX_RATE, MAX_RATE) as f32;
+                    *value = (*value + more).clamp(-MAX_SCALAR, MAX_SCALAR);
                     if let Some(couple) = scalar.couple {
-                        *value += coupled(couple.per_s, *share, dt_s) * (couple.value - *value);
+                        *value += coupled(couple.per_s, *share, dt_s) * (weight * couple.value - *value);
                     }
                 }
             }

@@ -2,6 +2,7 @@
 
 mod allocations;
 mod batch;
+mod combustion;
 mod figures;
 mod flows;
 mod heat;
