@@ -37,6 +37,17 @@ impl Field {
         self.sample_lanes(at)[0]
     }
 
+    /// As [`Field::sample`] in a grid whose periodic axes go round.
+    pub(crate) fn sample_in(&self, grid: &Grid, at: [f32; 3]) -> f32 {
+        let periods = grid.periods();
+        if periods == [0; 3] {
+            return self.sample(at);
+        }
+        let [nx, ny, _] = self.counts;
+        let at = [0, 1, 2].map(|axis| at[axis] - self.offset[axis]);
+        Around::new(at, self.counts, periods).blend(|[i, j, k]| self.data[i + nx * (j + ny * k)])
+    }
+
     /// Trilinear samples at `L` places in lattice coordinates (by axis, then lane); clamped to
     /// the lattice, and what is not a number counts as zero. Lanes keep the arithmetic in
     /// vector registers; only the loads are one by one.
@@ -70,25 +81,42 @@ impl Field {
     }
 }
 
-/// Trilinear samples of four packed values a place, at `L` places counted from the first value.
-#[inline(always)]
-pub(crate) fn sample_packs<const L: usize>(pack: &[[f32; 4]], counts: [usize; 3], at: [[f32; L]; 3]) -> [[f32; 4]; L] {
-    let [nx, ny, nz] = counts;
-    let steps = [1, nx, nx * ny];
-    let (whole_x, fx) = split(at[0], nx);
-    let (whole_y, fy) = split(at[1], ny);
-    let (whole_z, fz) = split(at[2], nz);
-    let [dx, dy, dz] = [0, 1, 2].map(|axis| if counts[axis] > 1 { steps[axis] } else { 0 });
-    let mut out = [[0.0; 4]; L];
-    for lane in 0..L {
-        let base = whole_x[lane] as usize + nx * (whole_y[lane] as usize + ny * whole_z[lane] as usize);
-        let values = &pack[base..base + dx + dy + dz + 1];
-        let along_x = |at: usize| mix(values[at], values[at + dx], [fx[lane]; 4]);
-        let low = mix(along_x(0), along_x(dy), [fy[lane]; 4]);
-        let high = mix(along_x(dz), along_x(dz + dy), [fy[lane]; 4]);
-        out[lane] = mix(low, high, [fz[lane]; 4]);
+/// The eight values of a lattice around a place, and the place's shares in them.
+pub(crate) struct Around {
+    /// Low and high index, by axis.
+    ends: [[usize; 2]; 3],
+    share: [f32; 3],
+}
+
+impl Around {
+    /// Around a place counted from the first value. Clamped to the lattice; along an axis with a
+    /// period (in values, 0 for none) it goes round. What is not a number counts as zero.
+    pub(crate) fn new(at: [f32; 3], counts: [usize; 3], periods: [usize; 3]) -> Self {
+        let (mut ends, mut share) = ([[0; 2]; 3], [0.0; 3]);
+        for axis in 0..3 {
+            let (count, period) = (counts[axis], periods[axis]);
+            let last = if period > 0 { period } else { count - 1 };
+            let place = if period > 0 { at[axis].rem_euclid(period as f32) } else { at[axis] };
+            let place = place.max(0.0).min(last as f32);
+            let low = (place as usize).min(if period > 0 { period - 1 } else { count.saturating_sub(2) });
+            let high = if low + 1 < count { low + 1 } else { 0 };
+            (ends[axis], share[axis]) = ([low, high], place - low as f32);
+        }
+        Self { ends, share }
     }
-    out
+
+    /// Trilinear between the values of the eight.
+    #[inline(always)]
+    pub(crate) fn blend<T>(&self, value: impl Fn([usize; 3]) -> T) -> T
+    where
+        T: Copy + std::ops::Add<Output = T> + std::ops::Sub<Output = T> + std::ops::Mul<f32, Output = T>,
+    {
+        let corner = |i: usize, j: usize, k: usize| value([self.ends[0][i], self.ends[1][j], self.ends[2][k]]);
+        let mix = |a: T, b: T, share: f32| a + (b - a) * share;
+        let row = |j: usize, k: usize| mix(corner(0, j, k), corner(1, j, k), self.share[0]);
+        let plane = |k: usize| mix(row(0, k), row(1, k), self.share[1]);
+        mix(plane(0), plane(1), self.share[2])
+    }
 }
 
 /// Adding it to a number below 2^22 leaves the nearest whole number in the low bits.

@@ -8,6 +8,7 @@ use glam::Vec3;
 use crate::advect::energy_plane;
 use crate::air::AIR_HEAT_CAPACITY_J_KG_K;
 use crate::error::{FluidError, check};
+use crate::field::Around;
 use crate::fluid::Fluid;
 use crate::lanes::{max_abs, sum};
 use crate::limits::{BUOYANCY_RATIO, GRAVITY_M_S2, MAX_DT_S};
@@ -56,24 +57,8 @@ impl Fluid {
     #[must_use]
     pub fn vorticity_at(&self, point: Vec3) -> Vec3 {
         let at = self.grid.cells_from_point(point);
-        let (mut ends, mut share) = ([[0_usize; 2]; 3], [0.0_f32; 3]);
-        for axis in 0..3 {
-            let count = self.grid.cells[axis];
-            let mut from_first = at[axis] - 0.5;
-            let is_periodic = self.grid.sides[axis][0] == Side::Periodic;
-            if is_periodic {
-                from_first = from_first.rem_euclid(count as f32);
-            }
-            // What is not a number goes to the low end.
-            let from_first = from_first.max(0.0).min(if is_periodic { count } else { count - 1 } as f32);
-            let low = (from_first as usize).min(count - 1);
-            let high = if is_periodic { (low + 1) % count } else { (low + 1).min(count - 1) };
-            (ends[axis], share[axis]) = ([low, high], from_first - low as f32);
-        }
-        let cell = |i: usize, j: usize, k: usize| self.cell_vorticity([ends[0][i], ends[1][j], ends[2][k]]);
-        let row = |j: usize, k: usize| cell(0, j, k).lerp(cell(1, j, k), share[0]);
-        let plane = |k: usize| row(0, k).lerp(row(1, k), share[1]);
-        plane(0).lerp(plane(1), share[2])
+        let at = at.map(|at| at - 0.5);
+        Around::new(at, self.grid.cells, self.grid.periods()).blend(|cell| self.cell_vorticity(cell))
     }
 
     /// Mean enstrophy over the box, half the squared vorticity, 1/s².

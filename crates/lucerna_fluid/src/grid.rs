@@ -53,6 +53,11 @@ impl Grid {
         counts
     }
 
+    /// Cells after which the box repeats, by axis; 0 where it does not.
+    pub(crate) fn periods(&self) -> [usize; 3] {
+        [0, 1, 2].map(|axis| if self.sides[axis][0] == Side::Periodic { self.cells[axis] } else { 0 })
+    }
+
     /// Shortest edge of a cell, m.
     pub(crate) fn shortest_m(&self) -> f32 {
         self.cell_m[0].min(self.cell_m[1]).min(self.cell_m[2])

@@ -18,8 +18,8 @@ const PARALLEL_POINTS: usize = 4 * CHUNK;
 impl Fluid {
     /// Moves points with the air for `dt_s` seconds by the midpoint rule in the present field;
     /// back in time if negative. Times are clamped to ±1e3 s; one that is not a number moves
-    /// nothing. Points may leave the box; they are then carried by the nearest air inside. One
-    /// that is not a number stays so. Many points are shared among threads.
+    /// nothing. Points may leave the box; they are then carried by the nearest air inside, or
+    /// along periodic axes by that of the box repeated. One that is not a number stays so. Many points are shared among threads.
     pub fn advect_points(&self, points: &mut [Vec3], dt_s: f32) {
         let Some(dt_s) = within(dt_s) else { return };
         self.for_lanes(
@@ -112,9 +112,15 @@ impl Fluid {
             }
         }
         let [u, v, w] = &self.state.velocity;
+        let is_periodic = self.grid.periods() != [0; 3];
         [u, v, w].map(
             #[inline(always)]
             |field| {
+                if is_periodic {
+                    return std::array::from_fn(|lane| {
+                        field.sample_in(&self.grid, [cells[0][lane], cells[1][lane], cells[2][lane]])
+                    });
+                }
                 let mut place = cells;
                 for (place, offset) in place.iter_mut().zip(field.offset) {
                     place.iter_mut().for_each(|place| *place -= offset);

@@ -7,19 +7,19 @@ use crate::sides::Sides;
 
 impl Fluid {
     /// Velocity at a point, m/s, trilinear between the faces. Outside the box, the value at the
-    /// nearest place inside.
+    /// nearest place inside; along periodic axes the box repeats.
     #[must_use]
     pub fn velocity(&self, point: Vec3) -> Vec3 {
         let at = self.grid.cells_from_point(point);
         let [u, v, w] = &self.state.velocity;
-        Vec3::new(u.sample(at), v.sample(at), w.sample(at))
+        Vec3::from_array([u, v, w].map(|field| field.sample_in(&self.grid, at)))
     }
 
     /// Temperature above ambient at a point, K, trilinear between the cells' centres. Outside
-    /// the box, the value at the nearest place inside.
+    /// the box, the value at the nearest place inside; along periodic axes the box repeats.
     #[must_use]
     pub fn temperature(&self, point: Vec3) -> f32 {
-        self.state.temperature.sample(self.grid.cells_from_point(point))
+        self.state.temperature.sample_in(&self.grid, self.grid.cells_from_point(point))
     }
 
     /// Number of cells along x, y and z.

@@ -8,7 +8,7 @@ use glam::Vec3;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{FluidError, check};
-use crate::field::sample_packs;
+use crate::field::Around;
 use crate::fluid::Fluid;
 use crate::grid::Grid;
 use crate::parallel::for_planes;
@@ -126,13 +126,15 @@ impl Fluid {
     }
 
     /// A scalar at a point, trilinear between the cells' centres. Outside the box, the value at
-    /// the nearest place inside; zero for an id that this fluid does not know.
+    /// the nearest place inside, along periodic axes the box repeated; zero for an id that this fluid does not know.
     #[must_use]
     pub fn scalar(&self, id: ScalarId, point: Vec3) -> f32 {
         let (pack, at) = id.slot();
         let Some(pack) = self.state.packs.get(pack) else { return 0.0 };
-        let place = self.grid.cells_from_point(point).map(|place| [place - 0.5; 1]);
-        sample_packs(pack, self.grid.cells, place)[0][at]
+        let [nx, ny, _] = self.grid.cells;
+        let place = self.grid.cells_from_point(point).map(|place| place - 0.5);
+        let around = Around::new(place, self.grid.cells, self.grid.periods());
+        around.blend(|[i, j, k]| pack[i + nx * (j + ny * k)][at])
     }
 
     /// A scalar by cell, x fastest; nothing for an id that this fluid does not know.

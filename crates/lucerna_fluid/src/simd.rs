@@ -15,6 +15,8 @@ pub enum SimdLevel {
     /// The best that the machine has, such as AVX2 or AVX-512.
     #[default]
     Best,
+    /// AVX2 where the machine has it, though it may have better; otherwise as [`Self::Baseline`].
+    Avx2,
     /// What every machine of the target has: SSE2 on x86-64. For comparison; two to four times
     /// slower.
     Baseline,
@@ -42,13 +44,26 @@ impl Simd {
     pub(crate) fn of(level: SimdLevel) -> Self {
         match level {
             SimdLevel::Best => Self::best(),
+            SimdLevel::Avx2 => Self(Self::avx2()),
             SimdLevel::Baseline => Self(None),
         }
     }
 
     /// What a caller chose, again.
     pub(crate) fn level(self) -> SimdLevel {
-        if self.0.is_some() { SimdLevel::Best } else { SimdLevel::Baseline }
+        match self.0 {
+            None => SimdLevel::Baseline,
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Some(Level::Avx2(_)) if Level::new().as_avx512().is_some() => SimdLevel::Avx2,
+            Some(_) => SimdLevel::Best,
+        }
+    }
+
+    fn avx2() -> Option<Level> {
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        return Level::new().as_avx2().map(Level::Avx2);
+        #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+        None
     }
 
     /// Runs `work` compiled for this level. Pass a closure marked `#[inline(always)]`, and mark

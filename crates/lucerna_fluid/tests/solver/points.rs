@@ -66,6 +66,35 @@ fn many_points_move_as_each_does_alone_on_any_number_of_threads() {
 }
 
 #[test]
+fn a_periodic_box_repeats_for_points_and_samples() {
+    let sides = Sides { x: [Side::Periodic; 2], z: [Side::Periodic; 2], ..Sides::CLOSED };
+    let mut fluid =
+        Fluid::builder([8, 6, 5]).size_m(Vec3::new(2.0, 1.0, 1.25)).sides(sides).scalar("dye").build().unwrap();
+    let dye = fluid.scalar_id("dye").unwrap();
+    fluid.fill_velocity(random_velocity(3, 1.0)).unwrap();
+    fluid.fill_temperature(|point| 10.0 * (point.x - 1.0)).unwrap();
+    fluid.fill_scalar(dye, |point| point.z).unwrap();
+    let period = Vec3::new(2.0, 0.0, -1.25);
+    let mut random = Random(5);
+    for _ in 0..50 {
+        let point = Vec3::new(1.0, 0.5, 0.6) + random.vector(0.9);
+        let away = point + 3.0 * period;
+        assert!((fluid.velocity(point) - fluid.velocity(away)).length() < 1.0e-4);
+        assert!((fluid.temperature(point) - fluid.temperature(away)).abs() < 1.0e-3);
+        assert!((fluid.scalar(dye, point) - fluid.scalar(dye, away)).abs() < 1.0e-4);
+        let (mut here, mut there) = ([point], [away]);
+        fluid.advect_points(&mut here, 0.3);
+        fluid.advect_points(&mut there, 0.3);
+        assert!((here[0] + 3.0 * period - there[0]).length() < 1.0e-4);
+    }
+    // Halfway between the last centre and the first it is their mean.
+    assert!(fluid.temperature(Vec3::new(0.0, 0.5, 0.6)).abs() < 1.0e-4);
+    assert!((fluid.temperature(Vec3::new(1.9375, 0.5, 0.6)) - 0.5 * 8.75).abs() < 1.0e-4);
+    assert!(fluid.velocity(Vec3::splat(f32::INFINITY)).is_finite() && fluid.velocity(Vec3::NAN).is_finite());
+    assert!(fluid.scalar(dye, Vec3::NAN).is_finite() && fluid.vorticity_at(Vec3::splat(-f32::MAX)).is_finite());
+}
+
+#[test]
 fn points_that_are_no_numbers_or_far_away_do_no_harm() {
     let fluid = rotation();
     let far = [f32::MAX, -f32::MAX, 1.0e30, -1.0e6].map(Vec3::splat);
