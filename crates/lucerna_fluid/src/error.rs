@@ -73,6 +73,22 @@ pub enum FluidError {
         /// The number of scalars of this fluid.
         count: usize,
     },
+    /// An obstacle touches no cell of the box.
+    #[error("obstacle {index} lies wholly outside the box; allowed: obstacles that reach into it")]
+    ObstacleOutside {
+        /// Which obstacle, in the order in which they were given.
+        index: usize,
+    },
+    /// The flags of solid cells are not one a cell.
+    #[error("obstacle {index} has flags for {cells} cells; allowed: the {expected} of the box")]
+    ObstacleVoxels {
+        /// Which obstacle, in the order in which they were given.
+        index: usize,
+        /// The number of flags.
+        cells: usize,
+        /// The number of cells.
+        expected: usize,
+    },
     /// A velocity was given for a side that has none of its own.
     #[error("the {side} side is neither no_slip nor inflow; allowed: a velocity for a side that is")]
     SideVelocity {

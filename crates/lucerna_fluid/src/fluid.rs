@@ -9,6 +9,7 @@ use crate::error::{FluidError, check};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::limits::MAX_DT_S;
+use crate::obstacle::Solids;
 use crate::physics::Physics;
 use crate::pressure::{PressureSolver, Projected, Projection, Tables};
 use crate::report::StepReport;
@@ -98,6 +99,8 @@ pub struct Fluid {
     pub(crate) sources: Sources,
     /// Velocities and temperatures given for sides.
     pub(crate) given: GivenSides,
+    /// Obstacles; none where there are none.
+    pub(crate) solids: Option<Box<Solids>>,
     pub(crate) max_speed_m_s: f32,
     /// Arrays that only a step uses. Fluids of a batch borrow those of their worker instead.
     pub(crate) scratch: Option<Box<Scratch>>,
@@ -143,6 +146,7 @@ impl Fluid {
             },
             sources: Sources::default(),
             given: GivenSides::default(),
+            solids: None,
             max_speed_m_s: 0.0,
             scratch: None,
             scalars,
@@ -173,7 +177,7 @@ impl Fluid {
 
     /// Makes the present velocity obey the sides, and free of divergence.
     pub(crate) fn settle(&mut self, scratch: &mut Scratch) -> Projected {
-        fix_sides(&self.grid, &mut self.state.velocity, Walls::of(&self.settings, &self.given));
+        fix_sides(&self.grid, &mut self.state.velocity, Walls::of(&self.settings, &self.given, self.solids.as_deref()));
         let projected = self.project(scratch, false);
         self.max_speed_m_s = projected.speeds.into_iter().fold(0.0, f32::max);
         projected
@@ -182,8 +186,12 @@ impl Fluid {
     /// Subtracts the gradient that leaves the divergence asked for.
     pub(crate) fn project(&mut self, scratch: &mut Scratch, with_expansion: bool) -> Projected {
         let expansion = with_expansion.then_some(scratch.expansion.as_slice());
-        let mut projection =
-            Projection { grid: &self.grid, tables: &self.tables, mask: None, spare: &mut scratch.pressure };
+        let mut projection = Projection {
+            grid: &self.grid,
+            tables: &self.tables,
+            mask: self.solids.as_ref().map(|solids| solids.mask()),
+            spare: &mut scratch.pressure,
+        };
         projection.project(&mut self.state.velocity, expansion, &mut self.state.potential)
     }
 

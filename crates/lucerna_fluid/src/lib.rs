@@ -45,6 +45,7 @@ mod forces;
 mod grid;
 mod lanes;
 mod limits;
+mod obstacle;
 mod parallel;
 mod physics;
 mod points;
@@ -71,8 +72,9 @@ pub use combustion::{Combustion, CombustionReport, Fuel, OXYGEN_IN_AIR, Radiatio
 pub use density::Density;
 pub use error::FluidError;
 pub use fluid::Fluid;
-pub use glam::Vec3;
+pub use glam::{Quat, Vec3};
 pub use limits::{GRAVITY_M_S2, MAX_AXIS_CELLS, MAX_CELLS, MAX_DT_S, MAX_SPEED_M_S, MAX_TEMPERATURE_K, MIN_AXIS_CELLS};
+pub use obstacle::{MAX_OBSTACLES, Obstacle};
 pub use pressure::PressureSolver;
 pub use report::{StageTimes, StepReport};
 pub use save::{Snapshot, SnapshotError};

@@ -6,6 +6,7 @@ use crate::density::{self, Density};
 use crate::fluid::Fluid;
 use crate::forces;
 use crate::lanes::highest;
+use crate::obstacle::Solids;
 use crate::parallel::{Partial, reduce};
 use crate::pressure::Projected;
 use crate::report::{StageTimes, StepReport};
@@ -36,6 +37,10 @@ impl Fluid {
     pub(crate) fn advance(&mut self, scratch: &mut Scratch, dt_s: f32) -> StepReport {
         let mut clock = Clock::start();
         let mut times = StageTimes::default();
+        if let Some(solids) = &self.solids {
+            let state = &mut self.state;
+            solids.fill(&mut state.velocity, &mut state.temperature, &mut state.packs);
+        }
         self.expand(scratch);
         let carried_out_kw = self.carry_heat(scratch, dt_s);
         times.advection_ms = clock.lap_ms();
@@ -57,7 +62,7 @@ impl Fluid {
     /// Adds all that accelerates the air.
     fn push(&mut self, scratch: &mut Scratch, dt_s: f32) {
         let air = self.air();
-        let Self { grid, state, settings, sources, given, .. } = self;
+        let Self { grid, state, settings, sources, given, solids, .. } = self;
         let velocity = &mut state.velocity;
         if settings.vorticity_confinement > 0.0 {
             scratch.confinement.apply(grid, velocity, settings.vorticity_confinement, dt_s);
@@ -77,15 +82,15 @@ impl Fluid {
         }
         sources.placed.push(grid, air, &state.temperature.data, velocity, dt_s);
         velocity.iter_mut().for_each(|field| forces::clamp_speed(grid, field));
-        push_wind(grid, velocity, Walls::of(settings, given), dt_s);
+        push_wind(grid, velocity, Walls::of(settings, given, solids.as_deref()), dt_s);
     }
 
     /// Lets viscosity and conduction act, and sets the flow through the sides.
     fn rub(&mut self, scratch: &mut Scratch, dt_s: f32) {
-        let Self { grid, state, settings, given, .. } = self;
-        let walls = Walls::of(settings, given);
+        let Self { grid, state, settings, given, solids, .. } = self;
+        let walls = Walls::of(settings, given, solids.as_deref());
         fix_sides(grid, &mut state.velocity, walls);
-        let held = Held::default();
+        let held = solids.as_deref().map_or(Held::default(), Solids::held);
         let Scratch { next_velocity, next_temperature, coefficients, strain, scalar, expansion, .. } = scratch;
         let eddies = settings.physics.smagorinsky > 0.0;
         if eddies {

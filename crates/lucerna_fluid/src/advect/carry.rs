@@ -46,7 +46,7 @@ impl Fluid {
             }
         }
         std::mem::swap(&mut state.velocity, next_velocity);
-        fix_sides(grid, &mut state.velocity, Walls::of(&self.settings, &self.given));
+        fix_sides(grid, &mut state.velocity, Walls::of(&self.settings, &self.given, self.solids.as_deref()));
         if !self.sources.has_expansion {
             limit_energy(grid, &mut state.velocity, allowed, partials);
         }

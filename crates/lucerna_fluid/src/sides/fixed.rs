@@ -21,7 +21,7 @@ fn for_side(field: &mut Field, axis: usize, end: usize, mut change: impl FnMut(u
 }
 
 /// Sets the faces whose flow is given: walls move with the grid, inflow sides as they are told,
-/// and the last face of a periodic axis is the first one again.
+/// and the last face of a periodic axis is the first one again. Then those on and in solids.
 ///
 /// Where no side is open, nothing can make up for inflow sides that do not balance: the same
 /// small velocity is then added to all their faces, so that as much leaves as enters.
@@ -38,6 +38,9 @@ pub(crate) fn fix_sides(grid: &Grid, velocity: &mut [Field; 3], walls: Walls<'_>
         if grid.sides[axis][0] == Side::Periodic {
             close_the_circle(field, axis);
         }
+    }
+    if let Some(solids) = walls.solids {
+        solids.fix(velocity);
     }
     if grid.is_sealed() && walls.may_be_uneven() {
         balance(grid, velocity);

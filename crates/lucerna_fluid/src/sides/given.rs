@@ -8,6 +8,7 @@ use crate::error::{FluidError, check, check_vec};
 use crate::fluid::{Fluid, Settings};
 use crate::grid::Grid;
 use crate::limits::MAX_TEMPERATURE_K;
+use crate::obstacle::Solids;
 use crate::sides::{Side, SideAt};
 
 /// The values of one side, by component: where the component's lines of values meet the side,
@@ -40,18 +41,19 @@ impl Wall<'_> {
     }
 }
 
-/// What moves at the sides.
+/// What moves at the sides, and within.
 #[derive(Clone, Copy)]
 pub(crate) struct Walls<'a> {
     pub(crate) wind: [f32; 3],
     /// Velocity of the grid, with which walls move.
     pub(crate) frame: [f32; 3],
     pub(crate) given: &'a GivenSides,
+    pub(crate) solids: Option<&'a Solids>,
 }
 
 impl<'a> Walls<'a> {
-    pub(crate) fn of(settings: &Settings, given: &'a GivenSides) -> Self {
-        Self { wind: settings.wind_m_s.to_array(), frame: [0.0; 3], given }
+    pub(crate) fn of(settings: &Settings, given: &'a GivenSides, solids: Option<&'a Solids>) -> Self {
+        Self { wind: settings.wind_m_s.to_array(), frame: [0.0; 3], given, solids }
     }
 
     /// The velocity component on a side that is a wall or an inflow.

@@ -58,7 +58,7 @@ fn what_was_solved_gives_back_what_was_there() {
         let size = Vec3::new(cells[0] as f32, 2.0 * cells[1] as f32, 0.5 * cells[2] as f32);
         let grid = Grid::new(cells, Vec3::ZERO, size, sides);
         let given = GivenSides::default();
-        let walls = Walls { wind: [0.3, -0.4, 0.7], frame: [0.0; 3], given: &given };
+        let walls = Walls { wind: [0.3, -0.4, 0.7], frame: [0.0; 3], given: &given, solids: None };
         let mut velocity = [0, 1, 2].map(|axis| Field::on_faces(&grid, axis));
         for (axis, field) in velocity.iter_mut().enumerate() {
             for (at, value) in field.data.iter_mut().enumerate() {

@@ -7,6 +7,7 @@ mod figures;
 mod flows;
 mod heat;
 mod inputs;
+mod obstacles;
 mod points;
 mod projection;
 mod robust;
