@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::advect::{Advection, ScalarAdvection, Trace};
 use crate::error::{FluidError, check, check_vec};
 use crate::fluid::{Fluid, Settings};
+use crate::frame::check_frame;
 use crate::grid::Grid;
 use crate::limits::{MAX_AXIS_CELLS, MAX_CELLS, MIN_AXIS_CELLS};
 use crate::physics::Physics;
@@ -28,6 +29,7 @@ pub struct FluidBuilder {
     pub(crate) size_m: Vec3,
     pub(crate) sides: Sides,
     pub(crate) wind_m_s: Vec3,
+    pub(crate) frame_m_s: Vec3,
     pub(crate) viscosity_m2_s: f32,
     pub(crate) vorticity_confinement: f32,
     pub(crate) ambient_k: f32,
@@ -54,6 +56,7 @@ impl Fluid {
             size_m: Vec3::ONE,
             sides: Sides::CLOSED,
             wind_m_s: Vec3::ZERO,
+            frame_m_s: Vec3::ZERO,
             viscosity_m2_s: 0.0,
             vorticity_confinement: 0.0,
             ambient_k: 293.15,
@@ -150,6 +153,13 @@ impl FluidBuilder {
         self
     }
 
+    /// Velocity of the box itself, m/s, components within ±100; see
+    /// [`Fluid::set_frame_velocity`]. Default: zero.
+    pub fn frame_velocity(mut self, velocity_m_s: Vec3) -> Self {
+        self.frame_m_s = velocity_m_s;
+        self
+    }
+
     /// Thermal diffusivity, m²/s, 0 to 1e3; see [`Fluid::set_thermal_diffusivity_m2_s`].
     /// Default: 0, which skips the work.
     pub fn thermal_diffusivity_m2_s(mut self, thermal_diffusivity_m2_s: f32) -> Self {
@@ -229,6 +239,7 @@ impl FluidBuilder {
         check_outlet(self.sides)?;
         let settings = Settings {
             wind_m_s: check_wind(self.wind_m_s)?,
+            frame_m_s: check_frame(self.frame_m_s, self.cells)?,
             viscosity_m2_s: check_viscosity(self.viscosity_m2_s)?,
             vorticity_confinement: check_confinement(self.vorticity_confinement)?,
             ambient_k: check_ambient(self.ambient_k)?,

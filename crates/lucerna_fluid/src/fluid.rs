@@ -22,6 +22,8 @@ use crate::source::Placed;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Settings {
     pub(crate) wind_m_s: Vec3,
+    /// Velocity of the box.
+    pub(crate) frame_m_s: Vec3,
     pub(crate) viscosity_m2_s: f32,
     pub(crate) vorticity_confinement: f32,
     pub(crate) ambient_k: f32,

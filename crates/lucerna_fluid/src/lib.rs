@@ -42,6 +42,7 @@ mod field;
 mod figures;
 mod fluid;
 mod forces;
+mod frame;
 mod grid;
 mod lanes;
 mod limits;

@@ -123,6 +123,7 @@ impl Fluid {
         // Every field by name: a new one is not to be forgotten.
         let Settings {
             wind_m_s,
+            frame_m_s,
             viscosity_m2_s,
             vorticity_confinement,
             ambient_k,
@@ -141,6 +142,7 @@ impl Fluid {
             size_m: self.grid.size_m,
             sides: self.sides,
             wind_m_s,
+            frame_m_s,
             viscosity_m2_s,
             vorticity_confinement,
             ambient_k,

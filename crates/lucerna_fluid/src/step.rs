@@ -51,6 +51,7 @@ impl Fluid {
         times.viscosity_ms = clock.lap_ms();
         let projected = self.press(scratch, dt_s);
         times.pressure_ms = clock.lap_ms();
+        self.move_box(dt_s);
         let mut report = self.report(scratch, dt_s, projected);
         times.report_ms = clock.lap_ms();
         report.times = times;

@@ -18,7 +18,12 @@ impl Fluid {
         let scheme = Scheme::from(settings.advection);
         let scalar_scheme = Scheme::of_scalars(settings.scalar_advection);
         let has_forth = [Some(scheme), scalar_scheme].contains(&Some(Scheme::MacCormack));
-        let flow = Flow { velocity: &state.velocity, frame: [0.0; 3], open: None, thins: settings.physics.expands() };
+        let flow = Flow {
+            velocity: &state.velocity,
+            frame: settings.frame_m_s.to_array(),
+            open: None,
+            thins: settings.physics.expands(),
+        };
         carrier.trace(grid, flow, dt_s, settings.trace, has_forth, partials);
         let mut allowed = energy(grid, &state.velocity, partials);
         for axis in 0..3 {

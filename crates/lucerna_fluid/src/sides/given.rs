@@ -53,7 +53,7 @@ pub(crate) struct Walls<'a> {
 
 impl<'a> Walls<'a> {
     pub(crate) fn of(settings: &Settings, given: &'a GivenSides, solids: Option<&'a Solids>) -> Self {
-        Self { wind: settings.wind_m_s.to_array(), frame: [0.0; 3], given, solids }
+        Self { wind: settings.wind_m_s.to_array(), frame: settings.frame_m_s.to_array(), given, solids }
     }
 
     /// The velocity component on a side that is a wall or an inflow.

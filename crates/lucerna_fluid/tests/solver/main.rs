@@ -2,6 +2,7 @@
 
 mod allocations;
 mod batch;
+mod cavity;
 mod combustion;
 mod figures;
 mod flows;
