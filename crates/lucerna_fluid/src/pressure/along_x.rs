@@ -2,12 +2,24 @@
 
 use std::ops::Range;
 
+use fearless_simd::Simd;
+use fearless_simd::prelude::*;
+
 use super::basis::Basis;
-use super::lines::{LANES, Lanes, accumulate_rows};
+use super::lines::{LANES, Lanes, V, accumulate_rows, is_wide};
 use crate::limits::MAX_AXIS_CELLS;
 
-/// Rows transformed together.
-const ROWS: usize = 8;
+/// Rows transformed together, by whether registers hold sixteen numbers.
+const ROWS: [usize; 2] = [4, 8];
+
+/// Values from one folded row to the next.
+const FOLDED: usize = MAX_AXIS_CELLS + LANES;
+
+/// Rows being folded.
+pub(crate) type Folded = [f32; ROWS[1] * FOLDED];
+
+/// Of no row yet.
+pub(crate) const NOT_FOLDED: Folded = [0.0; ROWS[1] * FOLDED];
 
 /// Tables of the transform along x.
 pub(crate) struct AlongX {
@@ -69,103 +81,133 @@ impl AlongX {
 
     /// Fills `out` with the modes of block number `block` of each row of `rows`.
     #[inline(always)]
-    pub(crate) fn forward(&self, block: usize, rows: &[f32], out: &mut [Lanes]) {
-        let count = rows.len() / self.count;
-        let mut folded = [0.0; ROWS * MAX_AXIS_CELLS];
+    pub(crate) fn forward<S: Simd>(&self, simd: S, block: usize, rows: &[f32], out: &mut [Lanes], folded: &mut Folded) {
+        let (n, count) = (self.count, out.len());
+        let group = ROWS[usize::from(is_wide::<S>())];
         let mut row = 0;
         while row < count {
-            if count >= ROWS {
-                // The last group reaches back over rows that are already done.
-                let first = row.min(count - ROWS);
-                self.forward_rows::<ROWS>(block, &rows[first * self.count..], &mut out[first..], &mut folded);
-                row = first + ROWS;
-            } else {
-                self.forward_rows::<1>(block, &rows[row * self.count..], &mut out[row..], &mut folded);
+            if count < group {
+                self.forward_rows::<S, 1>(simd, block, &rows[row * n..], &mut out[row..], folded);
                 row += 1;
+                continue;
             }
+            // The last group reaches back over rows that are already done.
+            let first = row.min(count - group);
+            let (rows, out) = (&rows[first * n..], &mut out[first..]);
+            if is_wide::<S>() {
+                self.forward_rows::<S, { ROWS[1] }>(simd, block, rows, out, folded);
+            } else {
+                self.forward_rows::<S, { ROWS[0] }>(simd, block, rows, out, folded);
+            }
+            row = first + group;
         }
     }
 
     #[inline(always)]
-    fn forward_rows<const R: usize>(&self, block: usize, rows: &[f32], out: &mut [Lanes], folded: &mut [f32]) {
+    fn forward_rows<S: Simd, const R: usize>(
+        &self,
+        simd: S,
+        block: usize,
+        rows: &[f32],
+        out: &mut [Lanes],
+        folded: &mut Folded,
+    ) {
         let n = self.count;
         let Block { inputs, table } = &self.blocks[block];
-        let mut sums = [Lanes::ZERO; R];
+        let mut sums = [V::splat(simd, 0.0); R];
         if self.is_folded {
-            let width = table.len();
-            for (r, out) in folded.chunks_exact_mut(width).take(R).enumerate() {
-                self.fold(&rows[r * n..(r + 1) * n], inputs.clone(), out);
+            for r in 0..R {
+                self.fold(simd, &rows[r * n..(r + 1) * n], inputs, &mut folded[r * FOLDED..(r + 1) * FOLDED]);
             }
-            let folded = &*folded;
-            accumulate_rows(&mut sums, std::array::from_fn(|r| &folded[r * width..(r + 1) * width]), table);
+            accumulate_rows(simd, &mut sums, &*folded, FOLDED, table);
         } else {
-            accumulate_rows(&mut sums, std::array::from_fn(|r| &rows[r * n..(r + 1) * n]), table);
+            accumulate_rows(simd, &mut sums, rows, n, table);
         }
-        out[..R].copy_from_slice(&sums);
+        for r in 0..R {
+            out[r].store(sums[r]);
+        }
     }
 
     /// Sums and differences of the cells of a row and their mirror images; those in `inputs`.
     #[inline(always)]
-    fn fold(&self, row: &[f32], inputs: Range<usize>, out: &mut [f32]) {
+    fn fold<S: Simd>(&self, simd: S, row: &[f32], inputs: &Range<usize>, out: &mut [f32]) {
         let n = self.count;
-        let half = n / 2;
-        let (low, high) = (&row[..half], &row[n - half..]);
-        let out = if inputs.start == 0 {
-            let (sums, out) = out.split_at_mut(self.evens);
-            for ((sum, a), b) in sums.iter_mut().zip(low).zip(high.iter().rev()) {
-                *sum = a + b;
+        let has_sums = inputs.start == 0;
+        let has_differences = inputs.end == n;
+        let differences = if has_sums { self.evens } else { 0 };
+        // What is beyond the half is overwritten, or not read.
+        let mut first = 0;
+        while first < n / 2 {
+            let low = V::from_slice(simd, &row[first..first + LANES]);
+            let high = V::from_slice(simd, &row[n - LANES - first..n - first]).reverse();
+            if has_sums {
+                (low + high).store_slice(&mut out[first..first + LANES]);
             }
-            if n % 2 == 1 {
-                sums[half] = row[half];
-            }
-            out
-        } else {
-            out
-        };
-        for ((difference, a), b) in out.iter_mut().zip(low).zip(high.iter().rev()) {
-            *difference = a - b;
+            first += LANES;
+        }
+        if has_sums && n % 2 == 1 {
+            out[n / 2] = row[n / 2];
+        }
+        first = 0;
+        while has_differences && first < n / 2 {
+            let low = V::from_slice(simd, &row[first..first + LANES]);
+            let high = V::from_slice(simd, &row[n - LANES - first..n - first]).reverse();
+            let at = differences + first;
+            (low - high).store_slice(&mut out[at..at + LANES]);
+            first += LANES;
         }
     }
 
     /// Fills the rows of `out` from their modes: in `modes`, block after block `stride` apart,
     /// one value a row.
     #[inline(always)]
-    pub(crate) fn backward(&self, modes: &[Lanes], stride: usize, out: &mut [f32]) {
-        let count = out.len() / self.count;
+    pub(crate) fn backward<S: Simd>(&self, simd: S, modes: &[Lanes], stride: usize, out: &mut [f32]) {
+        let (n, count) = (self.count, out.len() / self.count);
+        let group = ROWS[usize::from(is_wide::<S>())];
         let mut row = 0;
         while row < count {
-            if count >= ROWS {
-                let first = row.min(count - ROWS);
-                self.backward_rows::<ROWS>(&modes[first..], stride, &mut out[first * self.count..]);
-                row = first + ROWS;
-            } else {
-                self.backward_rows::<1>(&modes[row..], stride, &mut out[row * self.count..]);
+            if count < group {
+                self.backward_rows::<S, 1>(simd, &modes[row..], stride, &mut out[row * n..]);
                 row += 1;
+                continue;
             }
+            let first = row.min(count - group);
+            let (modes, out) = (&modes[first..], &mut out[first * n..]);
+            if is_wide::<S>() {
+                self.backward_rows::<S, { ROWS[1] }>(simd, modes, stride, out);
+            } else {
+                self.backward_rows::<S, { ROWS[0] }>(simd, modes, stride, out);
+            }
+            row = first + group;
         }
     }
 
     #[inline(always)]
-    fn backward_rows<const R: usize>(&self, modes: &[Lanes], stride: usize, out: &mut [f32]) {
+    fn backward_rows<S: Simd, const R: usize>(&self, simd: S, modes: &[Lanes], stride: usize, out: &mut [f32]) {
         let n = self.count;
         for (first, table) in &self.outputs {
+            let first = *first;
             if self.is_unfolded {
-                let even = sum_modes::<R>(modes, stride, table, 0..self.evens);
-                let odd = sum_modes::<R>(modes, stride, table, self.evens..n);
-                for (r, (even, odd)) in even.into_iter().zip(odd).enumerate() {
+                let even = sum_modes::<S, R>(simd, modes, stride, table, 0..self.evens);
+                let odd = sum_modes::<S, R>(simd, modes, stride, table, self.evens..n);
+                for r in 0..R {
                     let row = &mut out[r * n..(r + 1) * n];
-                    row[*first..first + LANES].copy_from_slice(&even.plus(odd).0);
-                    row[n - LANES - first..n - first].copy_from_slice(&even.minus(odd).reversed().0);
+                    (even[r] + odd[r]).store_slice(&mut row[first..first + LANES]);
+                    (even[r] - odd[r]).reverse().store_slice(&mut row[n - LANES - first..n - first]);
                 }
             } else {
-                let sums = sum_modes::<R>(modes, stride, table, 0..n);
-                for (r, sums) in sums.into_iter().enumerate() {
+                let sums = sum_modes::<S, R>(simd, modes, stride, table, 0..n);
+                for r in 0..R {
                     let row = &mut out[r * n + first..];
-                    if let Some(row) = row.first_chunk_mut::<LANES>() {
+                    if row.len() >= LANES {
                         // Of a row shorter than this, the next one overwrites what is too much.
-                        *row = sums.0;
+                        sums[r].store_slice(&mut row[..LANES]);
                     } else {
-                        row.iter_mut().zip(sums.0).for_each(|(out, sum)| *out = sum);
+                        let mut values = Lanes::ZERO;
+                        values.store(sums[r]);
+                        for i in 0..row.len() {
+                            row[i] = values.0[i];
+                        }
                     }
                 }
             }
@@ -175,15 +217,27 @@ impl AlongX {
 
 /// For `R` rows the sum over `range` of modes times their row of the table.
 #[inline(always)]
-fn sum_modes<const R: usize>(modes: &[Lanes], stride: usize, table: &[Lanes], range: Range<usize>) -> [Lanes; R] {
-    let mut sums = [Lanes::ZERO; R];
+fn sum_modes<S: Simd, const R: usize>(
+    simd: S,
+    modes: &[Lanes],
+    stride: usize,
+    table: &[Lanes],
+    range: Range<usize>,
+) -> [V<S>; R] {
+    let mut sums = [V::splat(simd, 0.0); R];
     let mut mode = range.start;
     while mode < range.end {
         let block = mode / LANES;
         let end = range.end.min((block + 1) * LANES);
         let rows = &modes[block * stride..block * stride + R];
-        let rows: [&[f32]; R] = std::array::from_fn(|r| &rows[r].0[mode % LANES..]);
-        accumulate_rows(&mut sums, rows, &table[mode..end]);
+        let lane = mode % LANES;
+        let table = &table[mode..end];
+        for step in 0..table.len() {
+            let values = table[step].load(simd);
+            for r in 0..R {
+                sums[r] += values * V::splat(simd, rows[r].0[(lane + step) % LANES]);
+            }
+        }
         mode = end;
     }
     sums

@@ -5,11 +5,15 @@
 //! negatives (Dirichlet), so that two open tridiagonal systems of half the length take the place
 //! of a cyclic one.
 
-use super::basis::{Basis, Ends};
-use super::lines::{LANES, Lanes};
+use fearless_simd::Simd;
+use fearless_simd::prelude::*;
 
-/// Planes of modes solved together, so that one need not wait for the other's sums.
-const PLANES: usize = 4;
+use super::basis::{Basis, Ends};
+use super::lines::{LANES, Lanes, V, is_wide};
+
+/// Planes of modes solved together, so that one need not wait for the other's sums; by whether
+/// registers hold sixteen numbers.
+const PLANES: [usize; 2] = [2, 4];
 
 /// Tables of the systems along y.
 pub(crate) struct AlongY {
@@ -91,32 +95,42 @@ impl AlongY {
 
     /// Solves the systems of a block of x modes in place: `[z mode][y]`, planes `stride` apart.
     #[inline(always)]
-    pub(crate) fn solve(&self, block: usize, modes: &mut [Lanes]) {
+    pub(crate) fn solve<S: Simd>(&self, simd: S, block: usize, modes: &mut [Lanes]) {
+        let (n, stride) = (self.count, self.stride);
+        let planes = modes.len() / stride;
         let is_free = self.is_singular && block == 0;
         if is_free {
-            self.center(&mut modes[..self.count]);
+            self.center(&mut modes[..n]);
         }
         if self.is_folded {
-            modes.chunks_exact_mut(self.stride).for_each(|plane| fold(&mut plane[..self.count], 0.5));
+            for plane in modes.chunks_exact_mut(stride) {
+                fold(simd, &mut plane[..n], 0.5);
+            }
         }
-        let size = self.count * (modes.len() / self.stride);
-        let mut tables = &self.reciprocals[block * size..(block + 1) * size];
-        let mut planes = modes.chunks_exact_mut(PLANES * self.stride);
-        for planes in &mut planes {
-            let (table, rest) = tables.split_at(PLANES * self.count);
-            tables = rest;
-            self.sweep::<PLANES>(planes, table);
-        }
-        for plane in planes.into_remainder().chunks_exact_mut(self.stride) {
-            let (table, rest) = tables.split_at(self.count);
-            tables = rest;
-            self.sweep::<1>(plane, table);
+        let tables = &self.reciprocals[block * planes * n..(block + 1) * planes * n];
+        let group = PLANES[usize::from(is_wide::<S>())];
+        let mut plane = 0;
+        while plane < planes {
+            let (values, table) = (&mut modes[plane * stride..], &tables[plane * n..]);
+            if planes - plane < group {
+                self.sweep::<S, 1>(simd, values, table);
+                plane += 1;
+                continue;
+            }
+            if is_wide::<S>() {
+                self.sweep::<S, { PLANES[1] }>(simd, values, table);
+            } else {
+                self.sweep::<S, { PLANES[0] }>(simd, values, table);
+            }
+            plane += group;
         }
         if self.is_folded {
-            modes.chunks_exact_mut(self.stride).for_each(|plane| fold(&mut plane[..self.count], 1.0));
+            for plane in modes.chunks_exact_mut(stride) {
+                fold(simd, &mut plane[..n], 1.0);
+            }
         }
         if is_free {
-            self.center(&mut modes[..self.count]);
+            self.center(&mut modes[..n]);
         }
     }
 
@@ -129,29 +143,27 @@ impl AlongY {
 
     /// Thomas's algorithm on `P` planes at once, for the negated systems.
     #[inline(always)]
-    fn sweep<const P: usize>(&self, modes: &mut [Lanes], reciprocals: &[Lanes]) {
+    fn sweep<S: Simd, const P: usize>(&self, simd: S, modes: &mut [Lanes], reciprocals: &[Lanes]) {
         let (n, stride) = (self.count, self.stride);
-        let mut last = [Lanes::ZERO; P];
+        let mut last = [V::splat(simd, 0.0); P];
         for j in 0..n {
-            let lower = self.lower[j];
-            for (p, last) in last.iter_mut().enumerate() {
-                let (value, reciprocal) = (&mut modes[p * stride + j], &reciprocals[p * n + j]);
-                for lane in 0..LANES {
-                    let factor = lower * reciprocal.0[lane];
-                    last.0[lane] = factor * last.0[lane] - value.0[lane] * reciprocal.0[lane];
-                }
-                *value = *last;
+            let lower = V::splat(simd, self.lower[j]);
+            for p in 0..P {
+                let value = &mut modes[p * stride + j];
+                let reciprocal = reciprocals[p * n + j].load(simd);
+                last[p] = (lower * reciprocal) * last[p] - value.load(simd) * reciprocal;
+                value.store(last[p]);
             }
         }
-        for j in (0..n - 1).rev() {
-            let upper = self.upper[j];
-            for (p, last) in last.iter_mut().enumerate() {
-                let (value, reciprocal) = (&mut modes[p * stride + j], &reciprocals[p * n + j]);
-                for lane in 0..LANES {
-                    let factor = upper * reciprocal.0[lane];
-                    last.0[lane] = value.0[lane] + factor * last.0[lane];
-                }
-                *value = *last;
+        let mut j = n - 1;
+        while j > 0 {
+            j -= 1;
+            let upper = V::splat(simd, self.upper[j]);
+            for p in 0..P {
+                let value = &mut modes[p * stride + j];
+                let reciprocal = reciprocals[p * n + j].load(simd);
+                last[p] = value.load(simd) + (upper * reciprocal) * last[p];
+                value.store(last[p]);
             }
         }
     }
@@ -160,14 +172,12 @@ impl AlongY {
 /// Replaces a line by `scale` times the sums with its mirror image, in the first half, and the
 /// differences, in the second; done again with another scale, it undoes that.
 #[inline(always)]
-fn fold(line: &mut [Lanes], scale: f32) {
+fn fold<S: Simd>(simd: S, line: &mut [Lanes], scale: f32) {
     let n = line.len();
-    let (low, high) = line.split_at_mut(n.div_ceil(2));
-    for (a, b) in low.iter_mut().zip(high.iter_mut().rev()) {
-        let (sum, difference) = (a.plus(*b), a.minus(*b));
-        for lane in 0..LANES {
-            a.0[lane] = scale * sum.0[lane];
-            b.0[lane] = scale * difference.0[lane];
-        }
+    let scale = V::splat(simd, scale);
+    for j in 0..n / 2 {
+        let (low, high) = (line[j].load(simd), line[n - 1 - j].load(simd));
+        line[j].store(scale * (low + high));
+        line[n - 1 - j].store(scale * (low - high));
     }
 }

@@ -1,12 +1,15 @@
 //! The transform along z, on sixteen x modes at a time.
 
+use fearless_simd::Simd;
+use fearless_simd::prelude::*;
+
 use super::basis::Basis;
-use super::lines::{Lanes, accumulate};
+use super::lines::{Lanes, V, accumulate, is_wide};
 
 /// Modes (or cells) computed together.
 const ROWS: usize = 4;
-/// Values of y taken together.
-const COLUMNS: usize = 4;
+/// Values of y taken together, by whether registers hold sixteen numbers.
+const COLUMNS: [usize; 2] = [1, 4];
 
 /// Factors of [`ROWS`] modes or cells, by step.
 type Factors = Vec<[f32; ROWS]>;
@@ -52,67 +55,96 @@ impl AlongZ {
 
     /// Values that [`AlongZ::forward`] and [`AlongZ::backward`] need to work in.
     pub(crate) fn spare(count: usize) -> usize {
-        COLUMNS * count
+        COLUMNS[1] * count
     }
 
     /// From cells to modes, in place: `[z][y]`, planes `stride` apart, `ny` values a plane.
     #[inline(always)]
-    pub(crate) fn forward(&self, values: &mut [Lanes], stride: usize, ny: usize, spare: &mut [Lanes]) {
-        if ny >= COLUMNS {
-            (0..ny).step_by(COLUMNS).for_each(|y| self.forward_columns::<COLUMNS>(values, stride, ny, y, spare));
-        } else {
-            (0..ny).for_each(|y| self.forward_columns::<1>(values, stride, ny, y, spare));
+    pub(crate) fn forward<S: Simd>(
+        &self,
+        simd: S,
+        values: &mut [Lanes],
+        stride: usize,
+        ny: usize,
+        spare: &mut [Lanes],
+    ) {
+        let mut y = 0;
+        while y < ny {
+            if is_wide::<S>() && ny >= COLUMNS[1] {
+                self.forward_columns::<S, { COLUMNS[1] }>(simd, values, stride, [y, ny], spare);
+                y += COLUMNS[1];
+            } else {
+                self.forward_columns::<S, { COLUMNS[0] }>(simd, values, stride, [y, ny], spare);
+                y += COLUMNS[0];
+            }
         }
     }
 
     /// From modes to cells.
     #[inline(always)]
-    pub(crate) fn backward(&self, values: &mut [Lanes], stride: usize, ny: usize, spare: &mut [Lanes]) {
-        if ny >= COLUMNS {
-            (0..ny).step_by(COLUMNS).for_each(|y| self.backward_columns::<COLUMNS>(values, stride, ny, y, spare));
-        } else {
-            (0..ny).for_each(|y| self.backward_columns::<1>(values, stride, ny, y, spare));
+    pub(crate) fn backward<S: Simd>(
+        &self,
+        simd: S,
+        values: &mut [Lanes],
+        stride: usize,
+        ny: usize,
+        spare: &mut [Lanes],
+    ) {
+        let mut y = 0;
+        while y < ny {
+            if is_wide::<S>() && ny >= COLUMNS[1] {
+                self.backward_columns::<S, { COLUMNS[1] }>(simd, values, stride, [y, ny], spare);
+                y += COLUMNS[1];
+            } else {
+                self.backward_columns::<S, { COLUMNS[0] }>(simd, values, stride, [y, ny], spare);
+                y += COLUMNS[0];
+            }
         }
     }
 
     #[inline(always)]
-    fn forward_columns<const C: usize>(
+    fn forward_columns<S: Simd, const C: usize>(
         &self,
+        simd: S,
         values: &mut [Lanes],
         stride: usize,
-        ny: usize,
-        y: usize,
+        [y, ny]: [usize; 2],
         spare: &mut [Lanes],
     ) {
         let n = self.count;
-        // The last columns are taken more than once where there are not enough.
-        let columns: [usize; C] = std::array::from_fn(|c| (y + c).min(ny - 1));
+        let columns = columns::<C>(y, ny);
         let (spare, _) = spare.as_chunks_mut::<C>();
         let (sums, differences) = spare[..n].split_at_mut(self.evens);
         if self.is_folded {
-            for (k, sums) in sums.iter_mut().enumerate() {
-                for (sum, column) in sums.iter_mut().zip(columns) {
-                    let (a, b) = (values[k * stride + column], values[(n - 1 - k) * stride + column]);
-                    *sum = if 2 * k + 1 == n { a } else { a.plus(b) };
-                }
-            }
-            for (k, differences) in differences.iter_mut().enumerate() {
-                for (difference, column) in differences.iter_mut().zip(columns) {
-                    *difference = values[k * stride + column].minus(values[(n - 1 - k) * stride + column]);
+            for k in 0..sums.len() {
+                for c in 0..C {
+                    let low = values[k * stride + columns[c]].load(simd);
+                    let high = values[(n - 1 - k) * stride + columns[c]].load(simd);
+                    if 2 * k + 1 == n {
+                        sums[k][c].store(low);
+                    } else {
+                        sums[k][c].store(low + high);
+                        differences[k][c].store(low - high);
+                    }
                 }
             }
         } else {
-            for (k, sums) in sums.iter_mut().enumerate() {
-                *sums = columns.map(|column| values[k * stride + column]);
+            for k in 0..n {
+                for c in 0..C {
+                    sums[k][c] = values[k * stride + columns[c]];
+                }
             }
         }
-        for ((groups, inputs), end) in self.forward.iter().zip([&*sums, &*differences]).zip([self.evens, n]) {
-            for (first, factors) in groups {
-                let mut sums = [[Lanes::ZERO; C]; ROWS];
-                accumulate(&mut sums, factors, inputs);
-                for (mode, sums) in (*first..end).zip(sums) {
-                    for (sum, column) in sums.into_iter().zip(columns) {
-                        values[mode * stride + column] = sum;
+        for part in 0..2 {
+            let (inputs, end) = if part == 0 { (&*sums, self.evens) } else { (&*differences, n) };
+            for (first, factors) in &self.forward[part] {
+                let mut sums = [[V::splat(simd, 0.0); C]; ROWS];
+                accumulate(simd, &mut sums, factors, inputs);
+                for r in 0..ROWS {
+                    if first + r < end {
+                        for c in 0..C {
+                            values[(first + r) * stride + columns[c]].store(sums[r][c]);
+                        }
                     }
                 }
             }
@@ -120,40 +152,57 @@ impl AlongZ {
     }
 
     #[inline(always)]
-    fn backward_columns<const C: usize>(
+    fn backward_columns<S: Simd, const C: usize>(
         &self,
+        simd: S,
         values: &mut [Lanes],
         stride: usize,
-        ny: usize,
-        y: usize,
+        [y, ny]: [usize; 2],
         spare: &mut [Lanes],
     ) {
         let n = self.count;
-        let columns: [usize; C] = std::array::from_fn(|c| (y + c).min(ny - 1));
+        let columns = columns::<C>(y, ny);
         let (spare, _) = spare.as_chunks_mut::<C>();
-        for (mode, spare) in spare[..n].iter_mut().enumerate() {
-            *spare = columns.map(|column| values[mode * stride + column]);
+        for k in 0..n {
+            for c in 0..C {
+                spare[k][c] = values[k * stride + columns[c]];
+            }
         }
         let (even_modes, odd_modes) = spare[..n].split_at(self.evens);
         for (first, [even_factors, odd_factors]) in &self.backward {
-            let mut evens = [[Lanes::ZERO; C]; ROWS];
-            accumulate(&mut evens, even_factors, even_modes);
+            let mut evens = [[V::splat(simd, 0.0); C]; ROWS];
+            accumulate(simd, &mut evens, even_factors, even_modes);
             if self.is_folded {
-                let mut odds = [[Lanes::ZERO; C]; ROWS];
-                accumulate(&mut odds, odd_factors, odd_modes);
-                for (cell, (evens, odds)) in (*first..self.evens).zip(evens.into_iter().zip(odds)) {
-                    for ((even, odd), column) in evens.into_iter().zip(odds).zip(columns) {
-                        values[cell * stride + column] = even.plus(odd);
-                        values[(n - 1 - cell) * stride + column] = even.minus(odd);
+                let mut odds = [[V::splat(simd, 0.0); C]; ROWS];
+                accumulate(simd, &mut odds, odd_factors, odd_modes);
+                for r in 0..ROWS {
+                    let k = first + r;
+                    if k < self.evens {
+                        for c in 0..C {
+                            values[k * stride + columns[c]].store(evens[r][c] + odds[r][c]);
+                            values[(n - 1 - k) * stride + columns[c]].store(evens[r][c] - odds[r][c]);
+                        }
                     }
                 }
             } else {
-                for (cell, evens) in (*first..n).zip(evens) {
-                    for (even, column) in evens.into_iter().zip(columns) {
-                        values[cell * stride + column] = even;
+                for r in 0..ROWS {
+                    if first + r < n {
+                        for c in 0..C {
+                            values[(first + r) * stride + columns[c]].store(evens[r][c]);
+                        }
                     }
                 }
             }
         }
     }
+}
+
+/// As many columns from `y` on; the last one is taken more than once where there are not enough.
+#[inline(always)]
+fn columns<const C: usize>(y: usize, ny: usize) -> [usize; C] {
+    let mut columns = [0; C];
+    for c in 0..C {
+        columns[c] = (y + c).min(ny - 1);
+    }
+    columns
 }

@@ -4,13 +4,14 @@
 //! Sixteen x modes of the whole grid make a block. A block is found, transformed along z, solved
 //! along y and transformed back along z while it stays in the cache.
 
-use super::along_x::AlongX;
+use fearless_simd::Simd;
+
+use super::along_x::{AlongX, NOT_FOLDED};
 use super::along_y::AlongY;
 use super::along_z::AlongZ;
 use super::basis::{Basis, Ends};
-use super::lines::{LANES, Lanes};
+use super::lines::{ChunkKernel, LANES, Lanes, run_chunks};
 use crate::grid::Grid;
-use crate::parallel::for_planes;
 
 /// Tables for one grid.
 pub(crate) struct DirectSolver {
@@ -47,35 +48,54 @@ impl DirectSolver {
     /// which [`mode_space`] made.
     pub(crate) fn analyze(&self, grid: &Grid, values: &[f32], modes: &mut [Lanes]) {
         let [_, ny, nz] = grid.cells;
-        let (plane, stride) = (grid.plane(), self.along_y.stride);
-        for_planes(
-            grid.exec,
-            modes,
-            block_size(grid),
-            #[inline(always)]
-            |block, values_and_spare| {
-                let (modes, spare) = values_and_spare.split_at_mut(nz * stride);
-                for (rows, out) in values.chunks_exact(plane).zip(modes.chunks_exact_mut(stride)) {
-                    self.along_x.forward(block, rows, &mut out[..ny]);
-                }
-                self.along_z.forward(modes, stride, ny, spare);
-                self.along_y.solve(block, modes);
-                self.along_z.backward(modes, stride, ny, spare);
-            },
-        );
+        run_chunks(grid.exec, modes, block_size(grid), &Analysis { solver: self, values, ny, nz });
     }
 
     /// Second half: fills the solution. In a sealed box its mean is zero, and the mean of the
     /// right-hand side has been left out.
     pub(crate) fn synthesize(&self, grid: &Grid, modes: &[Lanes], solution: &mut [f32]) {
-        let stride = self.along_y.stride;
-        let block = block_size(grid);
-        for_planes(
-            grid.exec,
-            solution,
-            grid.plane(),
-            #[inline(always)]
-            |k, out| self.along_x.backward(&modes[k * stride..], block, out),
-        );
+        let kernel = Synthesis { solver: self, modes, block: block_size(grid) };
+        run_chunks(grid.exec, solution, grid.plane(), &kernel);
+    }
+}
+
+/// A block of modes, from the cells to the solution's modes along x.
+struct Analysis<'a> {
+    solver: &'a DirectSolver,
+    values: &'a [f32],
+    ny: usize,
+    nz: usize,
+}
+
+impl ChunkKernel<Lanes> for Analysis<'_> {
+    #[inline(always)]
+    fn run<S: Simd>(&self, simd: S, block: usize, modes_and_spare: &mut [Lanes]) {
+        let Self { solver: DirectSolver { along_x, along_y, along_z }, values, ny, nz } = *self;
+        let stride = along_y.stride;
+        let plane = values.len() / nz;
+        let (modes, spare) = modes_and_spare.split_at_mut(nz * stride);
+        let mut folded = NOT_FOLDED;
+        for k in 0..nz {
+            let out = &mut modes[k * stride..k * stride + ny];
+            along_x.forward(simd, block, &values[k * plane..(k + 1) * plane], out, &mut folded);
+        }
+        along_z.forward(simd, modes, stride, ny, spare);
+        along_y.solve(simd, block, modes);
+        along_z.backward(simd, modes, stride, ny, spare);
+    }
+}
+
+/// A z-plane of the solution from its modes along x.
+struct Synthesis<'a> {
+    solver: &'a DirectSolver,
+    modes: &'a [Lanes],
+    block: usize,
+}
+
+impl ChunkKernel<f32> for Synthesis<'_> {
+    #[inline(always)]
+    fn run<S: Simd>(&self, simd: S, k: usize, out: &mut [f32]) {
+        let DirectSolver { along_x, along_y, .. } = self.solver;
+        along_x.backward(simd, &self.modes[k * along_y.stride..], self.block, out);
     }
 }

@@ -1,8 +1,19 @@
 //! Sixteen lines of the grid side by side, and dense products on them: what the direct solver
-//! spends its time in.
+//! spends its time in. Products are multiplied, then added, never fused: the bits are the same
+//! on every level of vector instructions.
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Simd, f32x16};
+use rayon::prelude::*;
+
+use crate::parallel::Execution;
+use crate::simd::Kernel;
 
 /// Lines handled together: a register of AVX-512, two of AVX2. The bits do not depend on it.
 pub(crate) const LANES: usize = 16;
+
+/// Sixteen numbers.
+pub(crate) type V<S> = f32x16<S>;
 
 /// One value of each of sixteen lines; a cache line.
 #[derive(Clone, Copy, Debug)]
@@ -13,60 +24,97 @@ impl Lanes {
     pub(crate) const ZERO: Self = Self([0.0; LANES]);
 
     #[inline(always)]
-    pub(crate) fn zip(self, other: Self, combine: impl Fn(f32, f32) -> f32) -> Self {
-        let mut out = [0.0; LANES];
-        for (lane, out) in out.iter_mut().enumerate() {
-            *out = combine(self.0[lane], other.0[lane]);
-        }
-        Self(out)
+    pub(crate) fn load<S: Simd>(&self, simd: S) -> V<S> {
+        V::load_array_ref(simd, &self.0)
     }
 
     #[inline(always)]
-    pub(crate) fn plus(self, other: Self) -> Self {
-        self.zip(other, |a, b| a + b)
-    }
-
-    #[inline(always)]
-    pub(crate) fn minus(self, other: Self) -> Self {
-        self.zip(other, |a, b| a - b)
-    }
-
-    /// Last lane first.
-    #[inline(always)]
-    pub(crate) fn reversed(self) -> Self {
-        Self(std::array::from_fn(|lane| self.0[LANES - 1 - lane]))
+    pub(crate) fn store<S: Simd>(&mut self, value: V<S>) {
+        value.store_slice(&mut self.0);
     }
 }
 
-/// Adds to each of `R` by `V` sums the products of `factors[step][r]` and `values[step][v]`, over
-/// all steps in order.
+/// Whether a register holds sixteen numbers, so that more of them can be kept.
 #[inline(always)]
-pub(crate) fn accumulate<const R: usize, const V: usize>(
-    sums: &mut [[Lanes; V]; R],
+pub(crate) fn is_wide<S: Simd>() -> bool {
+    S::f32s::LEN >= LANES
+}
+
+/// Adds to each of `R` by `C` sums the products of `factors[step][r]` and the lines number
+/// `step * C + c`, over all steps in order.
+#[inline(always)]
+pub(crate) fn accumulate<S: Simd, const R: usize, const C: usize>(
+    simd: S,
+    sums: &mut [[V<S>; C]; R],
     factors: &[[f32; R]],
-    values: &[[Lanes; V]],
+    lines: &[[Lanes; C]],
 ) {
-    for (factors, values) in factors.iter().zip(values) {
-        for (sums, factor) in sums.iter_mut().zip(factors) {
-            for (sum, value) in sums.iter_mut().zip(values) {
-                for lane in 0..LANES {
-                    sum.0[lane] += factor * value.0[lane];
-                }
+    for (factors, lines) in factors.iter().zip(lines) {
+        let mut values = [V::splat(simd, 0.0); C];
+        for c in 0..C {
+            values[c] = lines[c].load(simd);
+        }
+        for r in 0..R {
+            let factor = V::splat(simd, factors[r]);
+            for c in 0..C {
+                sums[r][c] += values[c] * factor;
             }
         }
     }
 }
 
-/// As [`accumulate`] with the factors of each row contiguous; as many steps as `values` has.
+/// As [`accumulate`] with the factors of each row contiguous: those from `first` on of rows
+/// `stride` apart, as many as the table has steps.
 #[inline(always)]
-pub(crate) fn accumulate_rows<const R: usize>(sums: &mut [Lanes; R], rows: [&[f32]; R], values: &[Lanes]) {
-    let rows = rows.map(|row| &row[..values.len()]);
-    for (step, value) in values.iter().enumerate() {
-        for (sum, row) in sums.iter_mut().zip(rows) {
-            let factor = row[step];
-            for lane in 0..LANES {
-                sum.0[lane] += factor * value.0[lane];
-            }
+pub(crate) fn accumulate_rows<S: Simd, const R: usize>(
+    simd: S,
+    sums: &mut [V<S>; R],
+    rows: &[f32],
+    stride: usize,
+    table: &[Lanes],
+) {
+    let steps = table.len();
+    let mut factors: [&[f32]; R] = [&[]; R];
+    for r in 0..R {
+        factors[r] = &rows[r * stride..r * stride + steps];
+    }
+    for step in 0..steps {
+        let values = table[step].load(simd);
+        for r in 0..R {
+            sums[r] += values * V::splat(simd, factors[r][step]);
         }
+    }
+}
+
+/// What [`run_chunks`] calls for each chunk of an array.
+pub(crate) trait ChunkKernel<T>: Sync {
+    /// Mark it `#[inline(always)]`, as all that it calls.
+    fn run<S: Simd>(&self, simd: S, index: usize, out: &mut [T]);
+}
+
+/// One chunk.
+struct One<'a, T, K> {
+    kernel: &'a K,
+    index: usize,
+    out: &'a mut [T],
+}
+
+impl<T, K: ChunkKernel<T>> Kernel for One<'_, T, K> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) {
+        self.kernel.run(simd, self.index, self.out);
+    }
+}
+
+/// Calls the kernel for each run of `size` values.
+pub(crate) fn run_chunks<T: Send, K: ChunkKernel<T>>(exec: Execution, data: &mut [T], size: usize, kernel: &K) {
+    if exec.is_parallel {
+        let chunks = data.par_chunks_mut(size).enumerate();
+        chunks.for_each(|(index, out)| exec.simd.run_kernel(One { kernel, index, out }));
+    } else {
+        let chunks = data.chunks_mut(size).enumerate();
+        chunks.for_each(|(index, out)| exec.simd.run_kernel(One { kernel, index, out }));
     }
 }
