@@ -1,5 +1,7 @@
 //! The transform along x: from rows of cells to blocks of sixteen modes, and back.
 
+#![allow(clippy::needless_range_loop, reason = "small arrays of vectors are to be unrolled")]
+
 use std::ops::Range;
 
 use fearless_simd::Simd;
@@ -15,11 +17,8 @@ const ROWS: [usize; 2] = [4, 8];
 /// Values from one folded row to the next.
 const FOLDED: usize = MAX_AXIS_CELLS + LANES;
 
-/// Rows being folded.
-pub(crate) type Folded = [f32; ROWS[1] * FOLDED];
-
-/// Of no row yet.
-pub(crate) const NOT_FOLDED: Folded = [0.0; ROWS[1] * FOLDED];
+/// Rows being folded, values of all.
+pub(crate) const FOLDED_ROWS: usize = ROWS[1] * FOLDED;
 
 /// Tables of the transform along x.
 pub(crate) struct AlongX {
@@ -81,7 +80,7 @@ impl AlongX {
 
     /// Fills `out` with the modes of block number `block` of each row of `rows`.
     #[inline(always)]
-    pub(crate) fn forward<S: Simd>(&self, simd: S, block: usize, rows: &[f32], out: &mut [Lanes], folded: &mut Folded) {
+    pub(crate) fn forward<S: Simd>(&self, simd: S, block: usize, rows: &[f32], out: &mut [Lanes], folded: &mut [f32]) {
         let (n, count) = (self.count, out.len());
         let group = ROWS[usize::from(is_wide::<S>())];
         let mut row = 0;
@@ -110,7 +109,7 @@ impl AlongX {
         block: usize,
         rows: &[f32],
         out: &mut [Lanes],
-        folded: &mut Folded,
+        folded: &mut [f32],
     ) {
         let n = self.count;
         let Block { inputs, table } = &self.blocks[block];
@@ -119,7 +118,7 @@ impl AlongX {
             for r in 0..R {
                 self.fold(simd, &rows[r * n..(r + 1) * n], inputs, &mut folded[r * FOLDED..(r + 1) * FOLDED]);
             }
-            accumulate_rows(simd, &mut sums, &*folded, FOLDED, table);
+            accumulate_rows(simd, &mut sums, folded, FOLDED, table);
         } else {
             accumulate_rows(simd, &mut sums, rows, n, table);
         }
@@ -205,9 +204,8 @@ impl AlongX {
                     } else {
                         let mut values = Lanes::ZERO;
                         values.store(sums[r]);
-                        for i in 0..row.len() {
-                            row[i] = values.0[i];
-                        }
+                        let length = row.len();
+                        row.copy_from_slice(&values.0[..length]);
                     }
                 }
             }
@@ -232,8 +230,8 @@ fn sum_modes<S: Simd, const R: usize>(
         let rows = &modes[block * stride..block * stride + R];
         let lane = mode % LANES;
         let table = &table[mode..end];
-        for step in 0..table.len() {
-            let values = table[step].load(simd);
+        for (step, values) in table.iter().enumerate() {
+            let values = values.load(simd);
             for r in 0..R {
                 sums[r] += values * V::splat(simd, rows[r].0[(lane + step) % LANES]);
             }

@@ -5,6 +5,8 @@
 //! negatives (Dirichlet), so that two open tridiagonal systems of half the length take the place
 //! of a cyclic one.
 
+#![allow(clippy::needless_range_loop, reason = "small arrays of vectors are to be unrolled")]
+
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 

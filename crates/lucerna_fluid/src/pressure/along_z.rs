@@ -1,5 +1,7 @@
 //! The transform along z, on sixteen x modes at a time.
 
+#![allow(clippy::needless_range_loop, reason = "small arrays of vectors are to be unrolled")]
+
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 

@@ -6,7 +6,7 @@
 
 use fearless_simd::Simd;
 
-use super::along_x::{AlongX, NOT_FOLDED};
+use super::along_x::{AlongX, FOLDED_ROWS};
 use super::along_y::AlongY;
 use super::along_z::AlongZ;
 use super::basis::{Basis, Ends};
@@ -74,7 +74,7 @@ impl ChunkKernel<Lanes> for Analysis<'_> {
         let stride = along_y.stride;
         let plane = values.len() / nz;
         let (modes, spare) = modes_and_spare.split_at_mut(nz * stride);
-        let mut folded = NOT_FOLDED;
+        let mut folded = [0.0; FOLDED_ROWS];
         for k in 0..nz {
             let out = &mut modes[k * stride..k * stride + ny];
             along_x.forward(simd, block, &values[k * plane..(k + 1) * plane], out, &mut folded);

@@ -2,6 +2,8 @@
 //! spends its time in. Products are multiplied, then added, never fused: the bits are the same
 //! on every level of vector instructions.
 
+#![allow(clippy::needless_range_loop, reason = "small arrays of vectors are to be unrolled")]
+
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16};
 use rayon::prelude::*;
