@@ -76,7 +76,7 @@ pub use fluid::Fluid;
 pub use glam::{Quat, Vec3};
 pub use limits::{GRAVITY_M_S2, MAX_AXIS_CELLS, MAX_CELLS, MAX_DT_S, MAX_SPEED_M_S, MAX_TEMPERATURE_K, MIN_AXIS_CELLS};
 pub use obstacle::{MAX_OBSTACLES, Obstacle};
-pub use pressure::PressureSolver;
+pub use pressure::{PoissonSolver, PressureSolver};
 pub use report::{StageTimes, StepReport};
 pub use save::{Snapshot, SnapshotError};
 pub use scalars::{MAX_SCALAR, MAX_SCALARS, ScalarId};

@@ -11,6 +11,7 @@ mod gauss_seidel;
 mod lines;
 mod mask;
 mod operators;
+mod poisson;
 mod regions;
 #[cfg(test)]
 mod tests;
@@ -23,10 +24,10 @@ use crate::limits::MAX_SPEED_M_S;
 use direct::DirectSolver;
 use figures::{Figures, measure, measure_divergence};
 use lines::Lanes;
-#[allow(unused_imports, reason = "obstacles make it")]
 pub(crate) use mask::Mask;
 use operators::subtract_gradient;
 pub(crate) use operators::{divergence_plane, slices, speeds};
+pub use poisson::PoissonSolver;
 
 /// How the pressure is found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]

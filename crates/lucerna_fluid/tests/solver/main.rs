@@ -10,6 +10,7 @@ mod heat;
 mod inputs;
 mod obstacles;
 mod points;
+mod poisson;
 mod projection;
 mod robust;
 mod saving;
