@@ -11,5 +11,6 @@ mod scheme;
 mod trace;
 
 pub(crate) use carrier::Carrier;
+pub(crate) use carry::{pack, unpack};
 pub(crate) use energy::energy_plane;
 pub use scheme::{Advection, ScalarAdvection, Trace};

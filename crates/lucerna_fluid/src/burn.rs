@@ -9,6 +9,7 @@ use crate::parallel::{Partial, reduce};
 use crate::pressure::Projected;
 use crate::scalars::{self, ScalarId};
 use crate::scratch::Scratch;
+use crate::sides::{Walls, fix_sides};
 use crate::source::Air;
 
 impl Fluid {
@@ -156,6 +157,7 @@ impl Fluid {
         if pressure.len() == self.grid.count() {
             let kelvin = &temperature.data;
             density::add_baroclinic(&self.grid, velocity, pressure, kelvin, ambient_k, weight, dt_s);
+            fix_sides(&self.grid, velocity, Walls::of(&self.settings, &self.given, self.solids.as_deref()));
         }
         let projected = self.project(scratch, true);
         let State { potential, pressure, .. } = &mut self.state;

@@ -75,7 +75,7 @@ impl FluidBuilder {
     }
 
     /// How much less small eddies spread heat than momentum, 0.1 to 10: their viscosity over
-    /// their diffusivity. Default: 0.7.
+    /// their diffusivity, which is that of scalars, too. Default: 0.7.
     pub fn turbulent_prandtl(mut self, number: f32) -> Self {
         self.physics.turbulent_prandtl = number;
         self

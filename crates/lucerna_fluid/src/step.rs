@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use crate::advect::{pack, unpack};
 use crate::density::{self, Density};
 use crate::fluid::Fluid;
 use crate::forces;
@@ -88,7 +89,7 @@ impl Fluid {
 
     /// Lets viscosity and conduction act, and sets the flow through the sides.
     fn rub(&mut self, scratch: &mut Scratch, dt_s: f32) {
-        let Self { grid, state, settings, given, solids, .. } = self;
+        let Self { grid, state, settings, given, scalars, solids, .. } = self;
         let walls = Walls::of(settings, given, solids.as_deref());
         fix_sides(grid, &mut state.velocity, walls);
         let held = solids.as_deref().map_or(Held::default(), Solids::held);
@@ -111,17 +112,34 @@ impl Fluid {
         let conduction = Diffusivity { uniform_m2_s: settings.thermal_diffusivity_m2_s, eddy_m2_s };
         if conduction.acts() {
             let is_thinned = settings.physics.density == Density::LowMach;
+            let ambient_k = settings.ambient_k;
             let (field, mut sides) = (&mut state.temperature, given.temperature_k);
             if is_thinned {
-                density::to_shares(grid, field, settings.ambient_k);
+                // What spreads is what is conserved: heat and masses a volume.
+                for pack in &mut state.packs {
+                    density::weigh(grid, pack, &field.data, ambient_k, false);
+                }
+                density::to_shares(grid, field, ambient_k);
                 scalar.data.copy_from_slice(&field.data);
-                let share = |kelvin: f32| share_from_kelvin(kelvin, settings.ambient_k);
-                sides = sides.map(|ends| ends.map(|kelvin| kelvin.map(share)));
+                sides = sides.map(|ends| ends.map(|kelvin| kelvin.map(|kelvin| share_from_kelvin(kelvin, ambient_k))));
             }
             diffuse_scalar(grid, field, conduction, dt_s, sides, held, next_temperature, coefficients);
             if is_thinned {
                 density::add_growth(grid, expansion, &scalar.data, &field.data, dt_s);
-                density::to_kelvin(grid, field, settings.ambient_k);
+                density::to_kelvin(grid, field, ambient_k);
+            }
+            if eddies || is_thinned {
+                for index in 0..scalars.names.len() {
+                    unpack(&state.packs, index, &mut scalar.data);
+                    let sides = [[None; 2]; 3];
+                    diffuse_scalar(grid, scalar, conduction, dt_s, sides, held, next_temperature, coefficients);
+                    pack(&mut state.packs, index, &scalar.data);
+                }
+            }
+            if is_thinned {
+                for pack in &mut state.packs {
+                    density::weigh(grid, pack, &state.temperature.data, ambient_k, true);
+                }
             }
         }
     }

@@ -59,14 +59,14 @@ impl Fluid {
 }
 
 /// Copies a scalar out of its pack.
-fn unpack(packs: &[Pack], index: usize, out: &mut Vec<f32>) {
+pub(crate) fn unpack(packs: &[Pack], index: usize, out: &mut Vec<f32>) {
     let pack = &packs[index / PACK];
     out.clear();
     out.extend(pack.iter().map(|values| values[index % PACK]));
 }
 
 /// Copies a scalar into its pack.
-fn pack(packs: &mut [Pack], index: usize, values: &[f32]) {
+pub(crate) fn pack(packs: &mut [Pack], index: usize, values: &[f32]) {
     for (packed, value) in packs[index / PACK].iter_mut().zip(values) {
         packed[index % PACK] = *value;
     }

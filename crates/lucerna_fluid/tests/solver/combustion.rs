@@ -189,3 +189,88 @@ fn what_makes_no_sense_is_refused() {
     let sealed = Fluid::builder([8; 3]).density(Density::LowMach).build();
     assert_eq!(sealed.err(), Some(FluidError::SealedLowMach));
 }
+
+/// A square burner of propane, open but for its floor.
+fn burner(density: Density, kw: f32, side_m: f32, cell_m: f32) -> Fluid {
+    let cells = [24, 48, 24];
+    let size = cell_m * Vec3::new(24.0, 48.0, 24.0);
+    let mut fluid = Fluid::builder(cells)
+        .size_m(size)
+        .sides(Sides { y: [Side::FreeSlip, Side::Open], ..Sides::OPEN })
+        .density(density)
+        .smagorinsky(0.05)
+        .combustion(Combustion::new(Fuel::PROPANE))
+        .build()
+        .unwrap();
+    // A little off the middle: nothing else would break the mirror symmetry.
+    let middle = 0.5 * Vec3::new(size.x, 0.0, size.z) + cell_m * Vec3::new(0.013, 0.0, -0.007);
+    let reach = 0.5 * side_m * Vec3::new(1.0, 0.0, 1.0);
+    let kg_s = kw / Fuel::PROPANE.heat_kj_kg;
+    let fuel = ScalarSource { kg_s, ..ScalarSource::new(fluid.scalar_id("fuel").unwrap()) };
+    let shape = Shape::Box { low: middle - reach, high: middle + reach + cell_m * Vec3::Y };
+    // Propane of 1.84 kg/m³ flows in.
+    fluid.attach_source(Source { inflow_m3_s: kg_s / 1.84, scalars: vec![fuel], ..Source::new(shape) }).unwrap();
+    fluid
+}
+
+/// Heat that leaves through the sides, kW, from the flow and the values next to the sides.
+fn leaving_kw(fluid: &Fluid, density: Density) -> f64 {
+    let [nx, ny, nz] = fluid.cells();
+    let [u, v, w] = fluid.face_velocities();
+    let edge = fluid.cell_size_m().as_dvec3();
+    let ambient = f64::from(fluid.ambient_k());
+    let held = |i: usize, j: usize, k: usize| {
+        let kelvin = f64::from(fluid.temperatures()[i + nx * (j + ny * k)]);
+        if density == Density::LowMach { ambient * kelvin / (ambient + kelvin) } else { kelvin }
+    };
+    let mut sum = 0.0;
+    let mut pass = |speed: f32, held: f64, area: f64| sum += f64::from(speed).max(0.0) * held * area;
+    for k in 0..nz {
+        for j in 0..ny {
+            let row = (nx + 1) * (j + ny * k);
+            pass(-u[row], held(0, j, k), edge.y * edge.z);
+            pass(u[row + nx], held(nx - 1, j, k), edge.y * edge.z);
+        }
+        for i in 0..nx {
+            pass(v[i + nx * (ny + (ny + 1) * k)], held(i, ny - 1, k), edge.x * edge.z);
+        }
+    }
+    for j in 0..ny {
+        for i in 0..nx {
+            pass(-w[i + nx * j], held(i, j, 0), edge.x * edge.y);
+            pass(w[i + nx * (j + ny * nz)], held(i, j, nz - 1), edge.x * edge.y);
+        }
+    }
+    1.0e-3 * sum * f64::from(air_density_kg_m3(fluid.ambient_k()) * AIR_HEAT_CAPACITY_J_KG_K)
+}
+
+#[test]
+fn heat_put_in_is_heat_found_and_heat_that_left() {
+    for density in [Density::Boussinesq, Density::LowMach] {
+        let mut fluid = burner(density, 30.0, 0.3, 0.05);
+        let (dt_s, steps) = (0.0125_f32, 160);
+        let (mut released, mut radiated, mut left, mut seen, mut burnt) = (0.0, 0.0, 0.0, 0.0, 0.0);
+        let mut fuel_kg = 0.0;
+        for _ in 0..steps {
+            let before = leaving_kw(&fluid, density);
+            let report = fluid.step(dt_s).unwrap();
+            released += f64::from(report.combustion.heat_release_kw * dt_s);
+            radiated += f64::from(report.combustion.radiated_kw * dt_s);
+            burnt += f64::from(report.combustion.burnt_kg_s * dt_s);
+            left += f64::from(report.carried_out_kw * dt_s);
+            seen += before * f64::from(dt_s);
+            fuel_kg = f64::from(report.combustion.fuel_kg);
+        }
+        let put_in = released - radiated;
+        let heat_off = (fluid.total_heat_kj() + left) / put_in - 1.0;
+        let fuel_in = 30.0 / f64::from(Fuel::PROPANE.heat_kj_kg * 1.0) * f64::from(dt_s) * f64::from(steps);
+        let fuel_off = (burnt + fuel_kg) / fuel_in - 1.0;
+        let seen_off = seen / left - 1.0;
+        println!(
+            "{density:?} burner, {put_in:.1} kJ put in, {left:.1} kJ gone: heat off by {heat_off:.1e}, fuel by {fuel_off:.1e}, heat seen leaving by {seen_off:.1e}"
+        );
+        assert!(left > 0.1 * put_in);
+        assert!(heat_off.abs() < 1.0e-3 && fuel_off.abs() < 1.0e-3, "{heat_off} {fuel_off}");
+        assert!(seen_off.abs() < 0.05, "{seen_off}");
+    }
+}
