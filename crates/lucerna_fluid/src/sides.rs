@@ -6,7 +6,7 @@ mod given;
 use serde::{Deserialize, Serialize};
 
 pub(crate) use fixed::{fix_sides, push_wind};
-pub(crate) use given::{GivenSides, Wall, Walls};
+pub(crate) use given::{GivenSides, Profile, Wall, Walls};
 
 /// One side of the box.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]

@@ -9,7 +9,7 @@ use super::sample::{
 use super::trace::Ways;
 use crate::grid::Grid;
 use crate::parallel::{Partial, PlaneKernel};
-use crate::sides::Side;
+use crate::sides::{Profile, Side};
 
 /// Where values lie: on the faces across an axis, or at the centres.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,15 +29,22 @@ impl Kind {
 
 /// What comes in from outside.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Outside {
+pub(crate) struct Outside<'a> {
     pub(crate) value: f32,
+    /// What inflow sides were given instead.
+    pub(crate) profile: Option<Profile<'a>>,
 }
 
-impl Outside {
-    /// The outside's values for air that comes from `_from`, beyond the lattice.
+impl Outside<'_> {
+    /// The outside's values for air that comes from beyond the lattice.
     #[inline(always)]
-    fn values<S: Simd>(self, simd: S, _from: [V<S>; 3]) -> V<S> {
-        V::splat(simd, self.value)
+    fn values<S: Simd>(self, simd: S, from: [V<S>; 3]) -> V<S> {
+        let Some(profile) = self.profile else { return V::splat(simd, self.value) };
+        let from = from.map(|places| *places.as_array());
+        let lanes: [f32; LANES] = std::array::from_fn(|lane| {
+            profile.value([from[0][lane], from[1][lane], from[2][lane]]).unwrap_or(self.value)
+        });
+        V::simd_from(simd, lanes)
     }
 }
 
@@ -50,7 +57,7 @@ pub(super) struct Backward<'a, const WRAPS: bool> {
     pub(super) from: Lattice<'a>,
     /// Of the values that are written.
     pub(super) counts: [usize; 3],
-    pub(super) outside: Outside,
+    pub(super) outside: Outside<'a>,
 }
 
 impl<const WRAPS: bool> Backward<'_, WRAPS> {

@@ -25,10 +25,10 @@ pub(crate) struct Carrier {
 
 /// Values to be carried: where they lie, how to carry them, what comes in.
 #[derive(Clone, Copy)]
-pub(crate) struct Job {
+pub(crate) struct Job<'a> {
     pub(crate) kind: Kind,
     pub(crate) scheme: Scheme,
-    pub(crate) outside: Outside,
+    pub(crate) outside: Outside<'a>,
 }
 
 /// Interpolation and correction of a back-trace.
@@ -106,7 +106,7 @@ impl Carrier {
         &mut self,
         grid: &Grid,
         values: &[f32],
-        job: Job,
+        job: Job<'_>,
         out: &mut [f32],
         partials: &mut [Partial],
     ) -> f64 {
@@ -121,7 +121,7 @@ impl Carrier {
         &mut self,
         grid: &Grid,
         values: &[f32],
-        job: Job,
+        job: Job<'_>,
         out: &mut [f32],
         partials: &mut [Partial],
     ) -> f64 {

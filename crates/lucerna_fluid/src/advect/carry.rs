@@ -27,7 +27,8 @@ impl Fluid {
         carrier.trace(grid, flow, dt_s, settings.trace, has_forth, partials);
         let mut allowed = energy(grid, &state.velocity, partials);
         for axis in 0..3 {
-            let job = Job { kind: Kind::faces(axis), scheme, outside: Outside { value: wind[axis] } };
+            let outside = Outside { value: wind[axis], profile: self.given.profile(grid, axis) };
+            let job = Job { kind: Kind::faces(axis), scheme, outside };
             let (from, out) = (&state.velocity[axis].data, &mut next_velocity[axis].data);
             allowed += carrier.carry(grid, from, job, out, partials);
         }
@@ -37,7 +38,7 @@ impl Fluid {
             if index > 0 {
                 unpack(&state.packs, index - 1, &mut values.data);
             }
-            let outside = Outside { value: outside };
+            let outside = Outside { value: outside, profile: None };
             if let Some(scheme) = scalar_scheme {
                 let job = Job { kind: Kind::CENTRES, scheme, outside };
                 carrier.carry(grid, &values.data, job, &mut next_temperature.data, partials);

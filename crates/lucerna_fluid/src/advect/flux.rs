@@ -29,7 +29,7 @@ pub(crate) fn transport(
     grid: &Grid,
     flow: Flow,
     dt_s: f32,
-    outside: Outside,
+    outside: Outside<'_>,
     [values, spare]: [&mut Vec<f32>; 2],
     partials: &mut [Partial],
 ) {
@@ -67,7 +67,7 @@ struct Pass<'a> {
     flow: Flow<'a>,
     /// Courant number of a velocity of 1 m/s.
     per_speed: [f32; 3],
-    outside: Outside,
+    outside: Outside<'a>,
     from: &'a [f32],
 }
 

@@ -41,6 +41,49 @@ impl Wall<'_> {
     }
 }
 
+/// What comes in where inflow sides were given it: one component, by axis and end, on a lattice
+/// of these counts.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Profile<'a> {
+    by_side: [[Option<&'a [f32]>; 2]; 3],
+    counts: [usize; 3],
+}
+
+impl Profile<'_> {
+    /// What comes from a place beyond the lattice: the nearest value of the side that is
+    /// farthest behind it, if it was given any.
+    pub(crate) fn value(&self, at: [f32; 3]) -> Option<f32> {
+        let mut farthest = (0.0, None);
+        for (axis, (at, count)) in at.into_iter().zip(self.counts).enumerate() {
+            for (end, beyond) in [-at, at - (count - 1) as f32].into_iter().enumerate() {
+                if beyond > farthest.0 {
+                    farthest = (beyond, Some((axis, end)));
+                }
+            }
+        }
+        let (axis, end) = farthest.1?;
+        let values = self.by_side[axis][end]?;
+        let [first, second] = [[1, 2], [0, 2], [0, 1]][axis];
+        // The conversion saturates at zero.
+        let nearest = |axis: usize| ((at[axis] + 0.5) as usize).min(self.counts[axis] - 1);
+        values.get(nearest(first) + self.counts[first] * nearest(second)).copied()
+    }
+}
+
+impl GivenSides {
+    /// What comes in of a velocity component; none where all of it is the wind's.
+    pub(crate) fn profile(&self, grid: &Grid, component: usize) -> Option<Profile<'_>> {
+        let by_side = [0, 1, 2].map(|axis| {
+            [0, 1].map(|end| {
+                let given = self.velocity[axis][end].as_ref().filter(|_| grid.sides[axis][end] == Side::Inflow);
+                given.map(|values| values[component].as_slice())
+            })
+        });
+        let counts = grid.face_counts(component);
+        by_side.iter().flatten().any(Option::is_some).then_some(Profile { by_side, counts })
+    }
+}
+
 /// What moves at the sides, and within.
 #[derive(Clone, Copy)]
 pub(crate) struct Walls<'a> {
