@@ -11,7 +11,7 @@ use glam::{Quat, Vec3};
 use crate::error::{FluidError, check, check_vec};
 use crate::fluid::Fluid;
 use shape::Shape;
-pub(crate) use solids::Solids;
+pub(crate) use solids::{SavedSolids, Solids};
 
 /// Most obstacles in a box.
 pub const MAX_OBSTACLES: usize = 65_534;
@@ -136,7 +136,8 @@ impl Fluid {
     ///
     /// The pressure is then found by conjugate gradients. What a moving body displaces has to go
     /// somewhere: in parts of the air without a way to an open side the mean of what does not
-    /// balance is left out. Obstacles are not saved by [`Fluid::save`].
+    /// balance is left out. [`Fluid::save`] keeps them as the cells
+    /// that they cover.
     ///
     /// # Errors
     /// A value that is not finite or out of range, a distance that is not a number, a body that

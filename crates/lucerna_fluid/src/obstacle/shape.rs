@@ -29,6 +29,8 @@ pub(crate) enum Shape {
     },
     Distance(Arc<dyn Fn(Vec3) -> f32 + Send + Sync>),
     Voxels(Arc<[bool]>),
+    /// The cells that have this number: a body that was saved.
+    Numbered(Arc<[u16]>, u16),
 }
 
 impl fmt::Debug for Shape {
@@ -39,6 +41,7 @@ impl fmt::Debug for Shape {
             Self::Cuboid { centre, size_m, rotation } => write!(f, "cuboid {centre} {size_m} {rotation}"),
             Self::Distance(_) => f.write_str("distance"),
             Self::Voxels(solid) => write!(f, "voxels of {} cells", solid.len()),
+            Self::Numbered(owners, number) => write!(f, "number {number} of {} cells", owners.len()),
         }
     }
 }
@@ -64,7 +67,7 @@ impl Shape {
                 }
                 check("obstacle rotation", rotation.length(), 0.999, 1.001, "a quaternion of length 1")?;
             }
-            Self::Distance(_) | Self::Voxels(_) => {}
+            Self::Distance(_) | Self::Voxels(_) | Self::Numbered(..) => {}
         }
         Ok(())
     }
@@ -83,7 +86,16 @@ impl Shape {
                     .fold(Vec3::ZERO, |sum, part| sum + part);
                 Some([*centre - reach, *centre + reach])
             }
-            Self::Distance(_) | Self::Voxels(_) => None,
+            Self::Distance(_) | Self::Voxels(_) | Self::Numbered(..) => None,
+        }
+    }
+
+    /// Number of cells of the box that it was made for, if that matters.
+    pub(super) fn cell_count(&self) -> Option<usize> {
+        match self {
+            Self::Voxels(solid) => Some(solid.len()),
+            Self::Numbered(owners, _) => Some(owners.len()),
+            _ => None,
         }
     }
 
@@ -109,6 +121,13 @@ impl Shape {
             Self::Distance(distance) => distance(point),
             Self::Voxels(solid) => {
                 if solid[cell] {
+                    -1.0
+                } else {
+                    1.0
+                }
+            }
+            Self::Numbered(owners, number) => {
+                if owners[cell] == *number {
                     -1.0
                 } else {
                     1.0

@@ -1,10 +1,14 @@
 //! What a step needs to know of the solid bodies: cells, faces, and how they move.
 
-use glam::Vec3;
+use std::sync::Arc;
 
-use super::Obstacle;
+use glam::Vec3;
+use serde::{Deserialize, Serialize};
+
 use super::fill::Fill;
-use crate::error::FluidError;
+use super::shape::Shape;
+use super::{MAX_OBSTACLES, Obstacle};
+use crate::error::{FluidError, check, check_vec};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::pressure::Mask;
@@ -31,6 +35,53 @@ pub(crate) struct Solids {
     /// Faces within slippery bodies.
     fill_faces: [Fill; 3],
     has_slippery: bool,
+    /// Where the box was when it took these bodies.
+    origin: Vec3,
+}
+
+/// Solid bodies as cells, with how each moves.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct SavedSolids {
+    origin: Vec3,
+    owners: Vec<u16>,
+    bodies: Vec<SavedBody>,
+}
+
+/// How a body moves, and whether air slides along it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+struct SavedBody {
+    velocity_m_s: Vec3,
+    spin_rad_s: Vec3,
+    about: Vec3,
+    is_slippery: bool,
+}
+
+impl SavedSolids {
+    /// Refuses what no bodies in this grid are saved as.
+    pub(crate) fn check(&self, grid: &Grid) -> Result<(), FluidError> {
+        let (found, expected) = (self.owners.len(), grid.count());
+        if found != expected {
+            return Err(FluidError::Length { field: "obstacle cells", found, expected });
+        }
+        check("number of obstacles", self.bodies.len() as f32, 1.0, MAX_OBSTACLES as f32, "1 to 65534")?;
+        let highest = self.owners.iter().copied().max().unwrap_or(0);
+        check("obstacle of a cell", f32::from(highest), 0.0, self.bodies.len() as f32, "one of the obstacles")?;
+        check_vec("obstacle origin", self.origin, 1.0e7, "components within ±1e7 m")?;
+        self.bodies().iter().try_for_each(Obstacle::check)
+    }
+
+    /// The bodies: each is the cells that have its number.
+    fn bodies(&self) -> Vec<Obstacle> {
+        let owners: Arc<[u16]> = self.owners.as_slice().into();
+        let body = |(index, body): (usize, &SavedBody)| Obstacle {
+            shape: Shape::Numbered(Arc::clone(&owners), index as u16 + 1),
+            velocity_m_s: body.velocity_m_s,
+            spin_rad_s: body.spin_rad_s,
+            about: body.about,
+            is_slippery: body.is_slippery,
+        };
+        self.bodies.iter().enumerate().map(body).collect()
+    }
 }
 
 impl Solids {
@@ -47,6 +98,7 @@ impl Solids {
             fill_cells: Fill::default(),
             fill_faces: Default::default(),
             has_slippery: false,
+            origin: grid.origin,
         }
     }
 
@@ -70,6 +122,33 @@ impl Solids {
     /// Takes other bodies, checked but for what only the grid tells.
     pub(crate) fn update(&mut self, grid: &Grid, obstacles: &[Obstacle]) -> Result<(), FluidError> {
         self.find_cells(grid, obstacles)?;
+        self.take(grid, obstacles);
+        Ok(())
+    }
+
+    /// What is saved of the bodies.
+    pub(crate) fn saved(&self) -> SavedSolids {
+        let bodies = self.obstacles.iter().map(|body| SavedBody {
+            velocity_m_s: body.velocity_m_s,
+            spin_rad_s: body.spin_rad_s,
+            about: body.about,
+            is_slippery: body.is_slippery,
+        });
+        SavedSolids { origin: self.origin, owners: self.owners.clone(), bodies: bodies.collect() }
+    }
+
+    /// The bodies that were saved, checked.
+    pub(crate) fn from_saved(saved: &SavedSolids, grid: &Grid) -> Self {
+        let grid = Grid { origin: saved.origin, ..grid.clone() };
+        let mut solids = Self::new(&grid);
+        solids.next_owners.clone_from(&saved.owners);
+        solids.take(&grid, &saved.bodies());
+        solids
+    }
+
+    /// Takes the bodies of the cells in `next_owners`.
+    fn take(&mut self, grid: &Grid, obstacles: &[Obstacle]) {
+        self.origin = grid.origin;
         self.obstacles.clear();
         self.obstacles.extend_from_slice(obstacles);
         let has_moved = self.owners != self.next_owners;
@@ -87,7 +166,6 @@ impl Solids {
         for axis in 0..3 {
             self.find_faces(grid, axis);
         }
-        Ok(())
     }
 
     /// Fills `next_owners`.
@@ -98,10 +176,10 @@ impl Solids {
         self.next_owners.clear();
         self.next_owners.resize(grid.count(), 0);
         for (index, obstacle) in obstacles.iter().enumerate() {
-            if let super::shape::Shape::Voxels(solid) = &obstacle.shape
-                && solid.len() != grid.count()
+            if let Some(cells) = obstacle.shape.cell_count()
+                && cells != grid.count()
             {
-                return Err(FluidError::ObstacleVoxels { index, cells: solid.len(), expected: grid.count() });
+                return Err(FluidError::ObstacleVoxels { index, cells, expected: grid.count() });
             }
             let [range_x, range_y, range_z] = obstacle.shape.cells(grid);
             let mut nearest = f32::MAX;

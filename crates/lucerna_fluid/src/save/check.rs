@@ -31,6 +31,9 @@ impl Snapshot {
         array("pressure", pressure, if pressure.is_empty() { 0 } else { count }, f32::MAX)?;
         array("max_speed_m_s", &[*max_speed_m_s], 1, ROUNDING * MAX_SPEED_M_S)?;
         self.given.check(&grid)?;
+        if let Some(solids) = &self.solids {
+            solids.check(&grid)?;
+        }
         // Placed sources are checked as they are placed.
         let Pending { acceleration, heat, expansion, scalars, placed: _ } = &self.pending;
         let has_acceleration = acceleration.iter().any(|values| !values.is_empty());

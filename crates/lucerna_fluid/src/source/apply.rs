@@ -83,7 +83,7 @@ impl Placed {
 
     /// Adds up expansion, 1/s by cell.
     pub(crate) fn add_expansion(&self, air: Air, expansion: &mut [f32]) {
-        for Entry { source, voxels } in self.iter() {
+        for Entry { source, voxels, .. } in self.iter() {
             let each = f64::from(source.inflow_m3_s) / (voxels.total * air.cell_volume_m3);
             let rate = (f64::from(source.expansion_per_s) + each) as f32;
             if rate != 0.0 {
@@ -97,7 +97,7 @@ impl Placed {
 
     /// Warms and draws temperatures.
     pub(crate) fn heat(&self, air: Air, kelvin: &mut [f32], dt_s: f32) {
-        for Entry { source, voxels } in self.iter() {
+        for Entry { source, voxels, .. } in self.iter() {
             let kw_m3 = f64::from(source.heat_kw) / (voxels.total * air.cell_volume_m3);
             if kw_m3 != 0.0 {
                 for (cell, share) in &voxels.cells {
@@ -124,7 +124,7 @@ impl Placed {
     /// Adds to scalars and draws them. Where heat thins the air, scalars are densities over the
     /// density of ambient air here.
     pub(crate) fn feed(&self, air: Air, kelvin: &[f32], packs: &mut [Pack], dt_s: f32) {
-        for Entry { source, voxels } in self.iter() {
+        for Entry { source, voxels, .. } in self.iter() {
             for scalar in &source.scalars {
                 let (pack, at) = scalar.scalar.slot();
                 let Some(pack) = packs.get_mut(pack) else { continue };
@@ -150,7 +150,7 @@ impl Placed {
 
     /// Accelerates and draws velocities. Each face of a cell takes half of what acts on it.
     pub(crate) fn push(&self, grid: &Grid, air: Air, kelvin: &[f32], velocity: &mut [Field; 3], dt_s: f32) {
-        for Entry { source, voxels } in self.iter() {
+        for Entry { source, voxels, .. } in self.iter() {
             let force = source.force_n.as_dvec3() / (voxels.total * air.cell_volume_m3);
             for (axis, field) in velocity.iter_mut().enumerate() {
                 let (per_mass, per_volume) = (source.acceleration_m_s2[axis], force[axis]);

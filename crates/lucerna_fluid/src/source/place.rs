@@ -1,10 +1,11 @@
 //! Sources in their places: for one step, or until they are taken away.
 
+use glam::Vec3;
 use serde::{Deserialize, Serialize};
 
 use super::voxels::Voxels;
 use super::{ScalarSource, Shape, Source};
-use crate::error::FluidError;
+use crate::error::{FluidError, check_vec};
 use crate::fluid::Fluid;
 use crate::grid::Grid;
 use crate::scalars::Scalars;
@@ -18,6 +19,8 @@ pub struct SourceId(u64);
 pub(crate) struct Entry {
     pub(crate) source: Source,
     pub(crate) voxels: Voxels,
+    /// Where the box was when it was placed.
+    origin: Vec3,
 }
 
 /// All sources that act in the coming step.
@@ -33,40 +36,42 @@ pub(crate) struct Placed {
 /// Placed sources without their cells, which follow from the grid.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct SavedSources {
-    once: Vec<Source>,
-    kept: Vec<(SourceId, Source)>,
+    once: Vec<(Vec3, Source)>,
+    kept: Vec<(SourceId, Vec3, Source)>,
     next_id: u64,
 }
 
 impl Placed {
     pub(crate) fn saved(&self) -> SavedSources {
         SavedSources {
-            once: self.once[..self.once_used].iter().map(|entry| entry.source.clone()).collect(),
-            kept: self.kept.iter().map(|(id, entry)| (*id, entry.source.clone())).collect(),
+            once: self.once[..self.once_used].iter().map(|entry| (entry.origin, entry.source.clone())).collect(),
+            kept: self.kept.iter().map(|(id, entry)| (*id, entry.origin, entry.source.clone())).collect(),
             next_id: self.next_id,
         }
     }
 
     /// Checks and places what was saved.
     pub(crate) fn from_saved(saved: &SavedSources, grid: &Grid, scalars: &Scalars) -> Result<Self, FluidError> {
-        let entry = |source: &Source| {
+        let entry = |origin: Vec3, source: &Source| {
             check_source(source, scalars)?;
+            check_vec("source origin", origin, 1.0e7, "components within ±1e7 m")?;
+            let grid = Grid { origin, ..grid.clone() };
             let mut voxels = Voxels::default();
-            voxels.place(grid, &source.shape)?;
-            Ok(Entry { source: source.clone(), voxels })
+            voxels.place(&grid, &source.shape)?;
+            Ok(Entry { source: source.clone(), voxels, origin })
         };
         let mut placed = Self { once_used: saved.once.len(), next_id: saved.next_id, ..Self::default() };
         if saved.next_id > u64::MAX / 2 {
             return Err(FluidError::UnknownSource { id: saved.next_id });
         }
-        for source in &saved.once {
-            placed.once.push(entry(source)?);
+        for (origin, source) in &saved.once {
+            placed.once.push(entry(*origin, source)?);
         }
-        for (id, source) in &saved.kept {
+        for (id, origin, source) in &saved.kept {
             if id.0 >= saved.next_id || placed.find(*id).is_ok() {
                 return Err(FluidError::UnknownSource { id: id.0 });
             }
-            placed.kept.push((*id, entry(source)?));
+            placed.kept.push((*id, entry(*origin, source)?));
         }
         Ok(placed)
     }
@@ -117,11 +122,12 @@ impl Fluid {
         let placed = &mut self.sources.placed;
         let used = placed.once_used;
         if used == placed.once.len() {
-            let source = Source::new(Shape::Point(glam::Vec3::ZERO));
-            placed.once.push(Entry { source, voxels: Voxels::default() });
+            let source = Source::new(Shape::Point(Vec3::ZERO));
+            placed.once.push(Entry { source, voxels: Voxels::default(), origin: Vec3::ZERO });
         }
         let entry = &mut placed.once[used];
         entry.voxels.place(&self.grid, &source.shape)?;
+        entry.origin = self.grid.origin;
         assign(&mut entry.source, source);
         placed.once_used += 1;
         Ok(())
@@ -138,7 +144,7 @@ impl Fluid {
         let placed = &mut self.sources.placed;
         let id = SourceId(placed.next_id);
         placed.next_id += 1;
-        placed.kept.push((id, Entry { source, voxels }));
+        placed.kept.push((id, Entry { source, voxels, origin: self.grid.origin }));
         Ok(id)
     }
 
@@ -152,7 +158,8 @@ impl Fluid {
         if source.shape != self.sources.placed.kept[at].1.source.shape {
             let mut voxels = Voxels::default();
             voxels.place(&self.grid, &source.shape)?;
-            self.sources.placed.kept[at].1.voxels = voxels;
+            let entry = &mut self.sources.placed.kept[at].1;
+            (entry.voxels, entry.origin) = (voxels, self.grid.origin);
         }
         self.sources.placed.kept[at].1.source = source;
         Ok(())

@@ -1,7 +1,10 @@
 //! Nothing is allocated by a step that has happened before.
 
 use allocation_counter::measure;
-use lucerna_fluid::{Couple, Fluid, FluidBuilder, PressureSolver, Shape, Side, Sides, Source, Vec3};
+use lucerna_fluid::{
+    Advection, Combustion, Couple, Fluid, FluidBuilder, Fuel, Obstacle, PressureSolver, Shape, Side, Sides, Source,
+    Vec3,
+};
 
 fn plume() -> FluidBuilder {
     Fluid::builder([15; 3]).size_m(Vec3::splat(0.3)).sides(Sides { y: [Side::FreeSlip, Side::Open], ..Sides::OPEN })
@@ -43,13 +46,21 @@ fn a_step_in_steady_state_allocates_nothing() {
         ("everything", plume().wind(Vec3::X).vorticity_confinement(2.0).cooling_per_s(0.2).cfl_limit(Some(0.2))),
         ("everything that diffuses", plume().viscosity_m2_s(1.0e-4).thermal_diffusivity_m2_s(1.0e-4)),
         ("scalars", (0..9).fold(plume().scalar("soot"), |builder, at| builder.scalar(format!("{at}")))),
+        ("fire", plume().combustion(Combustion::new(Fuel::WOOD)).smagorinsky(0.15)),
+        ("reflection", plume().advection(Advection::Reflection)),
+        ("obstacles", plume().viscosity_m2_s(1.0e-4)),
         ("large", Fluid::builder([26; 3]).sides(Sides::OPEN).viscosity_m2_s(1.0e-4).vorticity_confinement(2.0)),
     ];
     on_one_thread(move || {
         for (name, builder) in configurations {
             let mut fluid = builder.build().unwrap();
+            let mut place = Vec3::new(0.1, 0.2, 0.15);
             let allocated = in_steady_state(|| {
                 add_sources(&mut fluid);
+                if name == "obstacles" {
+                    place.x += 0.002;
+                    fluid.set_obstacles(&[Obstacle::sphere(place, 0.05)]).unwrap();
+                }
                 fluid.step(0.02).unwrap();
             });
             println!("{name}: {allocated} allocations in 10 steps");

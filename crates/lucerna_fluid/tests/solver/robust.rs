@@ -1,8 +1,8 @@
 //! Any step, any number of threads.
 
 use lucerna_fluid::{
-    Advection, Couple, Fluid, FluidError, MAX_SPEED_M_S, PressureSolver, ScalarAdvection, Shape, Side, Sides,
-    SimdLevel, Source, Trace, Vec3,
+    Advection, Combustion, Couple, Fluid, FluidError, Fuel, MAX_SPEED_M_S, Obstacle, PressureSolver, ScalarAdvection,
+    Shape, Side, Sides, SimdLevel, Source, Trace, Vec3,
 };
 use proptest::prelude::*;
 
@@ -105,23 +105,28 @@ fn everything(simd: SimdLevel, advection: Advection, scalars: ScalarAdvection) -
         .scalar_advection(scalars)
         .scalar("soot")
         .scalar_with_outside("oxygen", 0.23)
+        .combustion(Combustion::new(Fuel::PROPANE))
+        .smagorinsky(0.12)
         .simd(simd)
         .build()
         .unwrap();
     let velocity = Some(Couple { value: Vec3::new(0.0, 1.0, 0.5), per_s: 4.0 });
     let shape = Shape::Sphere { centre: Vec3::new(0.4, 0.2, 0.6), radius_m: 0.1 };
+    let ball = Obstacle::sphere(Vec3::new(0.6, 0.6, 0.5), 0.12).spinning(3.0 * Vec3::Y, Vec3::splat(0.5));
+    fluid.set_obstacles(&[ball]).unwrap();
     fluid.attach_source(Source { heat_kw: 5.0, velocity, ..Source::new(shape) }).unwrap();
     fluid
 }
 
 fn run(fluid: &mut Fluid, steps: u64) -> u64 {
-    let soot = fluid.scalar_id("soot").unwrap();
+    let [soot, fuel] = ["soot", "fuel"].map(|name| fluid.scalar_id(name).unwrap());
     for step in 0..steps {
         let mut random = Random(step);
         fluid.add_heat(Vec3::new(0.5, 0.1, 0.4), 0.15, 3000.0).unwrap();
         fluid.add_acceleration(Vec3::splat(0.4), random.vector(100.0)).unwrap();
         fluid.add_expansion(Vec3::new(0.6, 0.2, 0.4), 0.1, 5.0).unwrap();
         fluid.add_scalar(soot, Vec3::new(0.5, 0.1, 0.4), 0.15, 2.0).unwrap();
+        fluid.add_scalar(fuel, Vec3::new(0.5, 0.1, 0.4), 0.15, 0.5).unwrap();
         fluid.step(1.0 / 60.0).unwrap();
     }
     fluid.state_hash()
@@ -280,6 +285,39 @@ proptest! {
                 let found = report.rms_divergence_after;
                 prop_assert!(found <= allowed, "step {step}, dt {dt_s}, flatness {flatness}: {report:?}");
             }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 100, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn whatever_burns_around_bodies_stays_finite(seed in any::<u64>()) {
+        let mut random = Random(seed);
+        random.vector(1.0);
+        let Ok(mut fluid) = random_fluid(&mut random) else { return Ok(()) };
+        // The same box again, with fire in it.
+        let cells = fluid.cells();
+        let builder = Fluid::builder(cells).size_m(fluid.size_m()).sides(fluid.sides()).origin(fluid.origin());
+        let advection = [Advection::MacCormack, Advection::Reflection][usize::from(random.next() < 0.5)];
+        let builder = builder.advection(advection).combustion(Combustion::new(Fuel::WOOD)).smagorinsky(0.2);
+        fluid = builder.wind(fluid.wind()).build().unwrap();
+        fluid.fill_velocity(random_velocity(seed, 5.0)).unwrap();
+        fluid.fill_temperature(|point| 800.0 * (point.x * 7.0).sin().abs()).unwrap();
+        let fuel = fluid.scalar_id("fuel").unwrap();
+        for step in 0..10 {
+            random_sources(&mut fluid, &mut random);
+            let point = fluid.origin() + fluid.size_m() * (random.vector(0.5) + 0.5);
+            fluid.add_scalar(fuel, point, 0.3 * fluid.size_m().max_element(), 10.0 * random.next()).unwrap();
+            let body = Obstacle::sphere(point, 0.2 * fluid.size_m().min_element());
+            // One that lies outside is refused.
+            let _ = fluid.set_obstacles(&[body.moving(random.vector(5.0)).spinning(random.vector(20.0), point)]);
+            let dt_s = 10.0_f32.powf(4.0 * random.next() - 3.0);
+            let report = fluid.step(dt_s).unwrap();
+            let all = fluid.face_velocities().into_iter().chain([fluid.temperatures(), fluid.potential()]).flatten();
+            prop_assert!(all.copied().all(f32::is_finite), "step {step}, dt {dt_s}: {report:?}");
+            prop_assert!(fluid.scalar_values(fuel).all(f32::is_finite), "step {step}, dt {dt_s}");
         }
     }
 }

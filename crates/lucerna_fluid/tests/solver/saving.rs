@@ -1,8 +1,8 @@
 //! Saving and loading: the same bits as without, and nothing that is read does harm.
 
 use lucerna_fluid::{
-    Couple, Fluid, FluidBuilder, FluidError, PressureSolver, Shape, Side, SideAt, Sides, Snapshot, SnapshotError,
-    Source, Vec3,
+    Advection, Combustion, Couple, Density, Fluid, FluidBuilder, FluidError, Fuel, Obstacle, PressureSolver, Shape,
+    Side, SideAt, Sides, Snapshot, SnapshotError, Source, Vec3,
 };
 use proptest::prelude::*;
 
@@ -33,6 +33,9 @@ fn add_sources(step: u64, fluid: &mut Fluid) {
     if let Some(soot) = fluid.scalar_id("soot") {
         fluid.add_scalar(soot, point, 0.1, 5.0).unwrap();
     }
+    if let Some(fuel) = fluid.scalar_id("fuel") {
+        fluid.add_scalar(fuel, point, 0.1, 1.0).unwrap();
+    }
     let push = Source { force_n: random.vector(0.1), ..Source::new(Shape::Sphere { centre: point, radius_m: 0.05 }) };
     fluid.add_source(&push).unwrap();
 }
@@ -59,6 +62,13 @@ fn running(builder: FluidBuilder) -> Fluid {
         fluid.set_side_velocity(SideAt::Bottom, |_| 0.2 * Vec3::Z).unwrap();
         fluid.set_side_temperature(SideAt::Bottom, Some(80.0)).unwrap();
     }
+    if fluid.scalar_id("oxygen").is_some() {
+        let (origin, size) = (fluid.origin(), fluid.size_m());
+        let ball = Obstacle::sphere(origin + 0.6 * size, 0.06).spinning(Vec3::Y * 5.0, origin).moving(0.1 * Vec3::X);
+        let bar = Obstacle::from_distance(move |point| (point.y - origin.y - 0.7 * size.y).abs() - 0.03).slippery();
+        fluid.set_obstacles(&[bar, ball]).unwrap();
+        fluid.set_frame_velocity(Vec3::new(0.05, 0.0, -0.1)).unwrap();
+    }
     run(&mut fluid, 0..4);
     fluid.set_wind(Vec3::new(0.6, 0.0, 0.1)).unwrap();
     fluid.set_ambient_k(310.0).unwrap();
@@ -79,6 +89,8 @@ fn saving_loading_and_going_on_equals_not_having_stopped() {
     for builder in [
         everything(),
         everything().pressure(PressureSolver::GaussSeidel { sweeps: 7 }),
+        everything().combustion(Combustion::new(Fuel::PROPANE)).smagorinsky(0.15),
+        everything().advection(Advection::Reflection).density(Density::LowMach),
         Fluid::builder([5, 12, 6]),
         Fluid::builder([24, 25, 24]).sides(Sides::OPEN),
     ] {
@@ -113,7 +125,8 @@ fn the_bytes_are_compact_and_always_the_same() {
     println!("{} bytes for {values} values", bytes.len());
     // The velocities of two sides and what describes fluid and sources besides.
     let sides = 3 * (nx * nz + ny * nz) + 2 * (nx + ny + 2 * nz);
-    assert!(bytes.len() < 4 * (values + sides) + 600);
+    // One byte a cell for obstacles.
+    assert!(bytes.len() < 4 * (values + sides) + cells + 900);
     assert_eq!(bytes, running(everything()).save().to_bytes());
 }
 
@@ -183,11 +196,25 @@ fn what_does_not_fit_is_refused_by_name() {
     assert_eq!(error, SnapshotError::Setup(expected));
     let error = refused(&["given", "temperature_k", "1", "0"], json!(1.0e9));
     assert!(matches!(error, SnapshotError::Setup(FluidError::Value { field: "side temperature", .. })));
-    let error = refused(&["pending", "placed", "kept", "0", "1", "heat_kw"], json!(1.0e9));
+    let error = refused(&["pending", "placed", "kept", "0", "2", "heat_kw"], json!(1.0e9));
     assert!(matches!(error, SnapshotError::Setup(FluidError::Value { field: "heat_kw", .. })));
     for id in [json!(1), json!(u64::MAX)] {
         let error = refused(&["pending", "placed", "next_id"], id);
         assert!(matches!(error, SnapshotError::Setup(FluidError::UnknownSource { .. })));
+    }
+    let error = refused(&["solids", "owners"], json!([1]));
+    let expected = FluidError::Length { field: "obstacle cells", found: 1, expected: 504 };
+    assert_eq!(error, SnapshotError::Setup(expected));
+    for (path, value, named) in [
+        (["solids", "owners", "7"], json!(9), "obstacle of a cell"),
+        (
+            ["solids", "bodies", "0"],
+            json!({"velocity_m_s": [1.0e9, 0.0, 0.0], "spin_rad_s": [0.0, 0.0, 0.0], "about": [0.0, 0.0, 0.0], "is_slippery": true}),
+            "obstacle velocity",
+        ),
+    ] {
+        let error = refused(&path, value);
+        assert!(matches!(error, SnapshotError::Setup(FluidError::Value { field, .. }) if field == named), "{error}");
     }
     // Cells that nobody could hold in memory are refused before any is taken.
     let error = refused(&["setup", "cells"], json!([512, 512, 512]));
