@@ -30,11 +30,21 @@ fn run(count: usize, turns: usize) -> f64 {
         for fluid in &mut batch {
             fluid.add_heat(Vec3::new(0.15, 0.03, 0.15), 0.04, 3000.0).expect("finite heat");
         }
-        let start = Instant::now();
+        let (start, busy) = (Instant::now(), busy_ms());
         batch.step(1.0 / 60.0).expect("a valid step");
-        best = best.max(count as f64 / (start.elapsed().as_secs_f64() * 1.0e3));
+        let wall = start.elapsed().as_secs_f64() * 1.0e3;
+        // On one thread, others that use the machine do not count.
+        let is_alone = rayon::current_num_threads() == 1 && count >= 100;
+        let ms = busy.zip(busy_ms()).filter(|_| is_alone).map_or(wall, |(before, after)| after - before);
+        best = best.max(count as f64 / ms);
     }
     best
+}
+
+/// Time that this thread has been running, ms; Linux only.
+fn busy_ms() -> Option<f64> {
+    let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
+    Some(text.split_whitespace().next()?.parse::<f64>().ok()? * 1.0e-6)
 }
 
 fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {

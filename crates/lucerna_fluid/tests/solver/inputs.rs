@@ -1,6 +1,8 @@
 //! What is refused, and that a refusal changes nothing.
 
-use lucerna_fluid::{Fluid, FluidBuilder, FluidError, PressureSolver, Side, Sides, Vec3};
+use lucerna_fluid::{
+    Fluid, FluidBuilder, FluidError, Obstacle, PressureSolver, Shape, Side, SideAt, Sides, Source, Vec3,
+};
 
 const BAD: [f32; 3] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
 
@@ -26,6 +28,10 @@ fn the_builder_refuses_what_it_cannot_build() {
         refused(good().vorticity_confinement(bad), "vorticity_confinement");
         refused(good().ambient_k(bad), "ambient_k");
         refused(good().cooling_per_s(bad), "cooling_per_s");
+        refused(good().thermal_diffusivity_m2_s(bad), "thermal_diffusivity_m2_s");
+        refused(good().smagorinsky(bad), "smagorinsky");
+        refused(good().turbulent_prandtl(bad), "turbulent_prandtl");
+        refused(good().scalar_with_outside("soot", bad * 1.0e9), "scalar");
         refused(good().size_m(Vec3::new(1.0, bad, 1.0)), "size_m");
     }
     refused(good().size_m(Vec3::new(1.0, 0.0, 1.0)), "size_m");
@@ -39,12 +45,13 @@ fn the_builder_refuses_what_it_cannot_build() {
 #[test]
 fn bad_numbers_are_refused_and_leave_the_fluid_alone() {
     let warm = || {
-        let mut fluid = Fluid::builder([9; 3]).sides(Sides::OPEN).build().unwrap();
+        let mut fluid = Fluid::builder([9; 3]).sides(Sides::OPEN).scalar("soot").build().unwrap();
         fluid.add_heat(Vec3::splat(0.5), 0.3, 1000.0).unwrap();
         fluid.step(0.02).unwrap();
         fluid
     };
     let (mut fluid, mut untouched) = (warm(), warm());
+    let soot = fluid.scalar_id("soot").unwrap();
     let middle = Vec3::splat(0.5);
     for bad in BAD {
         let vector = Vec3::new(0.0, bad, 0.0);
@@ -63,6 +70,25 @@ fn bad_numbers_are_refused_and_leave_the_fluid_alone() {
         assert!(fluid.set_vorticity_confinement(bad).is_err());
         assert!(fluid.set_cooling_per_s(bad).is_err());
         assert!(fluid.set_ambient_k(bad).is_err());
+        assert!(fluid.set_thermal_diffusivity_m2_s(bad).is_err());
+        assert!(fluid.set_frame_velocity(vector).is_err());
+        assert!(fluid.move_to(vector, 0.1).is_err());
+        assert!(fluid.move_to(Vec3::ZERO, bad).is_err());
+        assert!(fluid.set_side_temperature(SideAt::Left, Some(bad)).is_err());
+        assert!(fluid.set_obstacles(&[Obstacle::sphere(vector, 0.2)]).is_err());
+        assert!(fluid.set_obstacles(&[Obstacle::sphere(middle, bad)]).is_err());
+        assert!(fluid.set_obstacles(&[Obstacle::sphere(middle, 0.2).moving(vector)]).is_err());
+        assert!(fluid.set_obstacles(&[Obstacle::sphere(middle, 0.2).spinning(vector, middle)]).is_err());
+        assert!(fluid.set_obstacles(&[Obstacle::from_distance(move |_| f32::NAN)]).is_err());
+        assert!(fluid.fill_scalar(soot, |point| if point.x > 0.5 { bad } else { 0.1 }).is_err());
+        assert!(fluid.add_scalar(soot, vector, 0.1, 1.0).is_err());
+        assert!(fluid.add_scalar(soot, middle, 0.1, bad).is_err());
+        assert!(fluid.set_scalar_outside(soot, bad).is_err());
+        let source = Source::new(Shape::Sphere { centre: middle, radius_m: 0.2 });
+        assert!(fluid.add_source(&Source { heat_kw: bad, ..source.clone() }).is_err());
+        assert!(fluid.add_source(&Source { force_n: vector, ..source.clone() }).is_err());
+        assert!(fluid.attach_source(Source { inflow_m3_s: bad, ..source }).is_err());
+        assert!(fluid.dt_for_cfl(bad).is_err());
         assert!(fluid.fill_velocity(|point| if point.x > 0.5 { vector } else { Vec3::X }).is_err());
         assert!(fluid.fill_temperature(|point| if point.x > 0.5 { bad } else { 50.0 }).is_err());
         assert!(fluid.velocity(vector).is_finite());
