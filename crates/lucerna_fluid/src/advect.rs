@@ -4,13 +4,16 @@ mod back;
 mod carrier;
 mod carry;
 mod copy;
+mod cubic;
 mod energy;
 mod flux;
 mod sample;
 mod scheme;
 mod trace;
 
-pub(crate) use carrier::Carrier;
+pub(crate) use back::{Kind, Outside};
+pub(crate) use carrier::{Carrier, Job, Scheme};
 pub(crate) use carry::{pack, unpack};
 pub(crate) use energy::energy_plane;
+pub(crate) use flux::{Flow, transport};
 pub use scheme::{Advection, ScalarAdvection, Trace};

@@ -39,7 +39,12 @@ impl Fluid {
 
     /// Lets the air carry what is in it. Where heat thins it, heat and scalars go as what is
     /// conserved: `dT / T`, and masses a volume. Returns the heat that left the box, kW.
-    pub(crate) fn carry_heat(&mut self, scratch: &mut Scratch, dt_s: f32) -> f32 {
+    pub(crate) fn carry_heat(
+        &mut self,
+        scratch: &mut Scratch,
+        dt_s: f32,
+        project: impl FnOnce(&mut Self, &mut Scratch) -> Projected,
+    ) -> (f32, Option<Projected>) {
         let air = self.air();
         if air.is_thinned_by_heat {
             let kelvin = &self.state.temperature.data;
@@ -49,7 +54,7 @@ impl Fluid {
             density::to_shares(&self.grid, &mut self.state.temperature, air.ambient_k);
         }
         let before = self.temperature_sum(scratch);
-        self.carry(scratch, dt_s);
+        let between = self.carry(scratch, dt_s, project);
         let lost = before - self.temperature_sum(scratch);
         let kelvin = if air.is_thinned_by_heat {
             density::to_kelvin(&self.grid, &mut self.state.temperature, air.ambient_k);
@@ -57,7 +62,7 @@ impl Fluid {
         } else {
             lost
         };
-        (kelvin * air.kilojoules_per_k() / f64::from(dt_s)) as f32
+        ((kelvin * air.kilojoules_per_k() / f64::from(dt_s)) as f32, between)
     }
 
     /// Sum over the cells of what stands for temperature.

@@ -47,6 +47,7 @@ mod grid;
 mod lanes;
 mod limits;
 mod obstacle;
+pub mod ops;
 mod parallel;
 mod physics;
 mod points;

@@ -43,15 +43,21 @@ impl Fluid {
             solids.fill(&mut state.velocity, &mut state.temperature, &mut state.packs);
         }
         self.expand(scratch);
-        let carried_out_kw = self.carry_heat(scratch, dt_s);
-        times.advection_ms = clock.lap_ms();
+        let (carried_out_kw, between) = self.carry_heat(scratch, dt_s, |fluid, scratch| {
+            times.advection_ms = clock.lap_ms();
+            let projected = fluid.project(scratch, fluid.sources.has_expansion);
+            times.pressure_ms = clock.lap_ms();
+            projected
+        });
+        times.advection_ms += clock.lap_ms();
         let combustion = self.burn(scratch, dt_s);
         self.push(scratch, dt_s);
         times.forces_ms = clock.lap_ms();
         self.rub(scratch, dt_s);
         times.viscosity_ms = clock.lap_ms();
-        let projected = self.press(scratch, dt_s);
-        times.pressure_ms = clock.lap_ms();
+        let mut projected = self.press(scratch, dt_s);
+        projected.iterations += between.map_or(0, |between| between.iterations);
+        times.pressure_ms += clock.lap_ms();
         self.move_box(dt_s);
         let mut report = self.report(scratch, dt_s, projected);
         times.report_ms = clock.lap_ms();

@@ -3,6 +3,7 @@
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
+use super::cubic::{self, Padded};
 use super::sample::{
     LANES, Lattice, V, active, blend, bounds, corners, least, load, most, places, ramp, sample, store,
 };
@@ -55,6 +56,8 @@ pub(super) struct Backward<'a, const WRAPS: bool> {
     pub(super) ways: &'a Ways,
     pub(super) kind: Kind,
     pub(super) from: Lattice<'a>,
+    /// A copy of it to interpolate cubically.
+    pub(super) padded: Option<Padded<'a>>,
     /// Of the values that are written.
     pub(super) counts: [usize; 3],
     pub(super) outside: Outside<'a>,
@@ -126,9 +129,14 @@ impl<const WRAPS: bool> PlaneKernel<f32> for Backward<'_, WRAPS> {
         let inlets = self.inlets();
         let mut brought = 0.0_f64;
         for (j, row) in out.chunks_exact_mut(nx).enumerate() {
-            for first in (0..nx).step_by(LANES) {
+            for block in 0..nx.div_ceil(LANES) {
+                let first = LANES * block;
                 let (_, at) = self.origins(simd, [first, j, k]);
-                let mut values = sample::<S, WRAPS>(simd, &self.from, at, active(nx, first));
+                let lanes = active(nx, first);
+                let mut values = match &self.padded {
+                    Some(padded) => cubic::sample::<S, WRAPS>(simd, &self.from, padded, at, lanes),
+                    None => sample::<S, WRAPS>(simd, &self.from, at, lanes),
+                };
                 if inlets.any {
                     let beyond = inlets.beyond(simd, at);
                     let zero = V::splat(simd, 0.0);
@@ -163,7 +171,8 @@ impl<const WRAPS: bool> PlaneKernel<f32> for Correction<'_, WRAPS> {
         let [nx, ny, _] = self.back.counts;
         let inlets = self.back.inlets();
         for (j, row) in out.chunks_exact_mut(nx).enumerate() {
-            for first in (0..nx).step_by(LANES) {
+            for block in 0..nx.div_ceil(LANES) {
+                let first = LANES * block;
                 let lanes = active(nx, first);
                 let (here, at) = self.back.origins(simd, [first, j, k]);
                 let before = places::<S, WRAPS>(simd, &self.back.from, at);

@@ -1,11 +1,13 @@
 //! Carries fields along traced ways, by the scheme asked for.
 
 use super::back::{Backward, Correction, Kind, Outside};
-use super::copy::wrapped;
+use super::copy::{padded, padded_counts, wrapped, wrapped_counts};
+use super::cubic::Padded;
 use super::flux::Flow;
 use super::sample::Lattice;
 use super::trace::{Motion, Ways};
 use super::{ScalarAdvection, Trace};
+use crate::field::Field;
 use crate::grid::Grid;
 use crate::parallel::{Partial, run_planes};
 
@@ -18,6 +20,12 @@ pub(crate) struct Carrier {
     velocity: [Vec<f32>; 3],
     /// Such a copy of what is carried.
     from: Vec<f32>,
+    /// A copy to interpolate cubically.
+    padded: Vec<f32>,
+    /// By face, 1 where something may pass and 0 beside solid cells.
+    pub(super) open: [Vec<f32>; 3],
+    /// What is carried in the second half of a step with a reflection.
+    pub(super) mirror: Option<[Field; 3]>,
     /// What the first of the two passes of `MacCormack` finds, and its copy.
     found: Vec<f32>,
     found_copy: Vec<f32>,
@@ -136,8 +144,12 @@ impl Carrier {
         } else {
             Lattice::new(values, counts, periods)
         };
-        let mut back = Backward::<WRAPS> { grid, ways: &self.ways, kind, from, counts, outside };
-        if scheme == Scheme::Linear || !self.has_forth {
+        let padded = (scheme == Scheme::Cubic).then(|| {
+            padded(grid, values, counts, kind.0, &mut self.padded);
+            Padded::new(&self.padded, padded_counts(copy_counts))
+        });
+        let back = Backward::<WRAPS> { grid, ways: &self.ways, kind, from, padded, counts, outside };
+        if scheme != Scheme::MacCormack || !self.has_forth {
             return run_planes(grid.exec, out, plane, partials, &back).sum;
         }
         self.found.resize(values.len(), 0.0);
@@ -148,7 +160,6 @@ impl Carrier {
         } else {
             Lattice::new(&self.found, counts, periods)
         };
-        back.from = from;
         let correction = Correction { back, start: values, found: &self.found, found_lattice: found };
         run_planes(grid.exec, out, plane, partials, &correction);
         brought
@@ -159,10 +170,4 @@ impl Carrier {
 fn periods(grid: &Grid) -> [f32; 3] {
     let periodic = grid.periodic();
     std::array::from_fn(|axis| if periodic[axis] { grid.cells[axis] as f32 } else { 0.0 })
-}
-
-/// Counts of the copy that [`wrapped`] makes.
-fn wrapped_counts(grid: &Grid, counts: [usize; 3], own: Option<usize>) -> [usize; 3] {
-    let periodic = grid.periodic();
-    std::array::from_fn(|axis| counts[axis] + usize::from(periodic[axis] && own != Some(axis)))
 }

@@ -36,9 +36,9 @@ pub(crate) fn transport(
     let per_speed = grid.cell_m.map(|edge| dt_s / edge);
     let whole = Pass { grid, flow, per_speed, outside, from: values };
     let needed = run_planes(grid.exec, spare, grid.plane(), partials, &Parts(whole)).max;
-    // A little more, so that rounding cannot overshoot.
-    let parts = (1.001 * needed).ceil().clamp(1.0, MAX_HEAT_STEPS);
-    let scale = (1.0 / parts).min(0.999 / needed.max(1.0e-30));
+    // Rounding must not divide what goes in one part.
+    let parts = (needed - 1.0e-5).ceil().clamp(1.0, MAX_HEAT_STEPS);
+    let scale = (1.0 / parts).min(1.0 / needed.max(1.0e-30));
     let per_speed = per_speed.map(|per_speed| per_speed * scale);
     for _ in 0..parts as usize {
         let pass = Pass { grid, flow, per_speed, outside, from: values };
@@ -178,7 +178,8 @@ impl PlaneKernel<f32> for Parts<'_> {
         let zero = V::splat(simd, 0.0);
         let mut parts = zero;
         for j in 0..ny {
-            for first in (0..nx).step_by(LANES) {
+            for block in 0..nx.div_ceil(LANES) {
+                let first = LANES * block;
                 let courant = self.0.courant(simd, first, j, k);
                 let (mut passed, mut squares, mut greatest) = (zero, zero, zero);
                 for (face, c) in courant.into_iter().enumerate() {
@@ -232,7 +233,8 @@ impl PlaneKernel<f32> for Pass<'_> {
                 let index = self.inside(0, at as isize - 2, nx);
                 padded[at] = index.map_or(self.outside.value, |index| rows[0][index]);
             }
-            for first in (0..nx).step_by(LANES) {
+            for block in 0..nx.div_ceil(LANES) {
+                let first = LANES * block;
                 let [u_low, u_high, v_low, v_high, w_low, w_high] = self.courant(simd, first, j, k);
                 let mut x = [load(simd, &padded, first); 5];
                 for (shift, x) in x.iter_mut().enumerate() {

@@ -39,8 +39,9 @@ impl<'a> Lattice<'a> {
 /// Where eight samples are to be taken.
 #[derive(Clone, Copy)]
 pub(super) struct Places<S: Simd> {
+    pub(super) wholes: [i32x8<S>; 3],
     base: i32x8<S>,
-    shares: [V<S>; 3],
+    pub(super) shares: [V<S>; 3],
 }
 
 /// 0 to 7.
@@ -114,7 +115,7 @@ pub(super) fn places<S: Simd, const WRAPS: bool>(simd: S, lattice: &Lattice, at:
         wholes[axis] = whole;
     }
     let [x, y, z] = wholes;
-    Places { base: x + (y + z * ny as i32) * nx as i32, shares }
+    Places { wholes, base: x + (y + z * ny as i32) * nx as i32, shares }
 }
 
 /// Values from `from` on, if that many there are.

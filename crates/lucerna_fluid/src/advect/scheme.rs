@@ -17,7 +17,7 @@ pub enum Advection {
     /// Two half steps of `MacCormack` with a projection between them, whose correction is applied
     /// twice (J. Zehnder, R. Narain, B. Thomaszewski, *An Advection-Reflection Solver for
     /// Detail-Preserving Fluid Simulation*, SIGGRAPH 2018). Keeps the energy of eddies; costs
-    /// about twice as much.
+    /// about twice as much. Where hot air expands, [`Advection::MacCormack`] instead.
     Reflection,
     /// Semi-Lagrangian with monotone cubic interpolation (R. Fedkiw, J. Stam, H. W. Jensen,
     /// *Visual Simulation of Smoke*, SIGGRAPH 2001, appendix B). Third order where smooth; never

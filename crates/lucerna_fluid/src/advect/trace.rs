@@ -130,7 +130,8 @@ impl<const WRAPS: bool> PlaneKernel<f32> for Tracer<'_, WRAPS> {
             let (v_low, v_high) = (&v.data[v_at..], &v.data[v_at + v_counts[0]..]);
             let w_at = w_counts[0] * (j + w_counts[1] * k);
             let (w_low, w_high) = (&w.data[w_at..], &w.data[w_at + w_counts[0] * w_counts[1]..]);
-            for first in (0..nx).step_by(LANES) {
+            for block in 0..nx.div_ceil(LANES) {
+                let first = LANES * block;
                 let centre = [
                     load(simd, u_row, first) + load(simd, u_row, first + 1),
                     load(simd, v_low, first) + load(simd, v_high, first),

@@ -289,6 +289,17 @@ impl Solids {
         }
     }
 
+    /// Fills `open` with 1 for each face, and 0 for those in or next to solid cells.
+    pub(crate) fn close(&self, grid: &Grid, open: &mut [Vec<f32>; 3]) {
+        for (axis, (open, faces)) in open.iter_mut().zip(&self.faces).enumerate() {
+            open.resize(grid.face_counts(axis).iter().product(), 1.0);
+            open.fill(1.0);
+            for (face, _) in faces {
+                open[*face as usize] = 0.0;
+            }
+        }
+    }
+
     /// Continues what the air does into solids, so that samples near them see nothing of what
     /// is inside: scalars always, the velocity where they are slippery.
     pub(crate) fn fill(&self, velocity: &mut [Field; 3], temperature: &mut Field, packs: &mut [Pack]) {

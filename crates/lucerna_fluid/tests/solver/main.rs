@@ -1,5 +1,6 @@
 //! The solver against what it promises, through its public interface only.
 
+mod advection;
 mod allocations;
 mod batch;
 mod cavity;
