@@ -1,5 +1,7 @@
 //! Burning: balances of fuel, oxygen and heat, and the laws of fire.
 
+use std::f32::consts::PI;
+
 use lucerna_fluid::{
     AIR_HEAT_CAPACITY_J_KG_K, Combustion, Density, Fluid, FluidBuilder, FluidError, Fuel, OXYGEN_IN_AIR, Radiation,
     ScalarSource, Shape, Side, Sides, Source, Vec3, air_density_kg_m3,
@@ -273,4 +275,59 @@ fn heat_put_in_is_heat_found_and_heat_that_left() {
         assert!(heat_off.abs() < 1.0e-3 && fuel_off.abs() < 1.0e-3, "{heat_off} {fuel_off}");
         assert!(seen_off.abs() < 0.05, "{seen_off}");
     }
+}
+
+/// The frequency from 1.25 to 8 Hz at which the values swing most, under a raised cosine. Slower
+/// swings are the wandering of a young plume.
+fn strongest_hz(values: &[f32], dt_s: f32) -> f32 {
+    let mean = values.iter().sum::<f32>() / values.len() as f32;
+    let power = |hz: f32| {
+        let (mut along, mut across) = (0.0, 0.0);
+        for (at, value) in values.iter().enumerate() {
+            let window = 1.0 - (2.0 * PI * at as f32 / values.len() as f32).cos();
+            let (sin, cos) = (2.0 * PI * hz * dt_s * at as f32).sin_cos();
+            along += window * (value - mean) * cos;
+            across += window * (value - mean) * sin;
+        }
+        along * along + across * across
+    };
+    (25..160).map(|at| 0.05 * at as f32).max_by(|a, b| power(*a).total_cmp(&power(*b))).unwrap()
+}
+
+/// Laws that nature itself keeps to within 14 and 22 % (puffing and height), on a grid of six
+/// cells across the burner, which is called coarse: the bounds are wide, but far from anything.
+#[test]
+fn a_burner_obeys_the_laws_of_fire() {
+    let (kw, cell_m, dt_s) = (30.0_f32, 0.05_f32, 0.0125_f32);
+    let mut fluid = burner(Density::LowMach, kw, 0.3, cell_m);
+    let middle = 0.5 * fluid.size_m() * Vec3::new(1.0, 0.0, 1.0);
+    let mut kelvin = [0.0_f32; 48];
+    let mut speeds = Vec::new();
+    for step in 0..560 {
+        fluid.step(dt_s).unwrap();
+        if step >= 200 {
+            for (j, kelvin) in kelvin.iter_mut().enumerate() {
+                *kelvin += fluid.temperature(middle + (j as f32 + 0.5) * cell_m * Vec3::Y) / 360.0;
+            }
+            speeds.push(fluid.velocity(middle + 0.225 * Vec3::Y).y);
+        }
+    }
+    // The burner is square: of the same area as a round one of this width.
+    let width = 0.3 * (4.0 / PI).sqrt();
+    let law_m = 0.235 * kw.powf(0.4) - 1.02 * width;
+    let height_m = kelvin.iter().rposition(|kelvin| *kelvin > 500.0).map_or(0.0, |j| (j + 1) as f32 * cell_m);
+    let origin = 0.083 * kw.powf(0.4) - 1.02 * width;
+    let logs = (26..46).map(|j| (((j as f32 + 0.5) * cell_m - origin).ln(), kelvin[j].ln()));
+    let (mut x, mut y, mut xx, mut xy) = (0.0, 0.0, 0.0, 0.0);
+    for (a, b) in logs {
+        (x, y, xx, xy) = (x + a / 20.0, y + b / 20.0, xx + a * a / 20.0, xy + a * b / 20.0);
+    }
+    let exponent = (xy - x * y) / (xx - x * x);
+    let (hz, law_hz) = (strongest_hz(&speeds, dt_s), 1.5 / width.sqrt());
+    println!(
+        "30 kW on 0.3 m: flame {height_m:.2} m (Heskestad {law_m:.2}), plume cools as z^{exponent:.2} (law -1.67), swings at {hz:.2} Hz (law {law_hz:.2})"
+    );
+    assert!((height_m / law_m - 1.0).abs() < 0.5, "{height_m} against {law_m}");
+    assert!((exponent + 5.0 / 3.0).abs() < 0.4, "{exponent}");
+    assert!(hz > 0.6 * law_hz && hz < 1.6 * law_hz, "{hz} against {law_hz}");
 }
