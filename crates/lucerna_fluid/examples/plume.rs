@@ -1,6 +1,6 @@
 //! A plume without burning: `cargo run --release -p lucerna_fluid --example plume` lets 10 kW rise
 //! from a ball of 0.2 m, once with each answer of density to temperature, and prints the heat
-//! balance and the speed and temperature along the axis beside McCaffrey's plume.
+//! balance and the speed and temperature along the axis beside the plume of `McCaffrey`.
 
 use std::error::Error;
 
