@@ -1,8 +1,8 @@
 //! The air of a scene.
 
 use glam::Vec3;
-use lucerna_fluid::{Fluid, FluidError, PressureSolver, Side, Sides};
-use lucerna_scene::{Air, AirSides, Pressure};
+use lucerna_fluid::{Advection, Fluid, FluidError, PressureSolver, Side, Sides};
+use lucerna_scene::{Air, AirAdvection, AirSides, Pressure};
 
 /// Most acceleration of a row that the fluid takes, m/s^2.
 const MAX_ACCELERATION_M_S2: f32 = 1e6;
@@ -23,6 +23,12 @@ pub(crate) fn build(air: &Air) -> Result<Fluid, FluidError> {
         .vorticity_confinement(air.vorticity_confinement)
         .ambient_k(air.ambient_k)
         .cooling_per_s(air.cooling_per_s)
+        .advection(match air.advection {
+            AirAdvection::SemiLagrangian => Advection::SemiLagrangian,
+            AirAdvection::MacCormack => Advection::MacCormack,
+            AirAdvection::Reflection => Advection::Reflection,
+            AirAdvection::Cubic => Advection::Cubic,
+        })
         .pressure(match air.pressure {
             Pressure::Direct => PressureSolver::Direct,
             Pressure::GaussSeidel(sweeps) => PressureSolver::GaussSeidel { sweeps },
@@ -32,7 +38,8 @@ pub(crate) fn build(air: &Air) -> Result<Fluid, FluidError> {
 
 /// Whether the two need the same grid, so that the air can go on as it is.
 pub(crate) fn same_grid(a: &Air, b: &Air) -> bool {
-    (a.origin_m, a.size_m, a.cells, a.pressure, a.sides) == (b.origin_m, b.size_m, b.cells, b.pressure, b.sides)
+    let built_with = |air: &Air| (air.origin_m, air.size_m, air.cells, air.pressure, air.advection, air.sides);
+    built_with(a) == built_with(b)
 }
 
 /// Checks what [`adjust`] takes over, and changes nothing.

@@ -53,6 +53,21 @@ pub enum Pressure {
     GaussSeidel(u32),
 }
 
+/// How the air's velocity is carried along by itself.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum AirAdvection {
+    /// From where the air was a step ago: the fastest, and the one that damps eddies most.
+    #[default]
+    SemiLagrangian,
+    /// As above, and its error estimated and taken out again: livelier, at about twice the cost.
+    MacCormack,
+    /// Two half steps and a reflection between them: keeps the energy of eddies, at about four times the cost.
+    Reflection,
+    /// From where the air was, by monotone cubics.
+    Cubic,
+}
+
 /// The air around the fires.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -75,6 +90,9 @@ pub struct Air {
     /// How the pressure is solved.
     #[serde(default)]
     pub pressure: Pressure,
+    /// How the velocity is carried along.
+    #[serde(default)]
+    pub advection: AirAdvection,
     /// Which sides are closed.
     #[serde(default)]
     pub sides: AirSides,

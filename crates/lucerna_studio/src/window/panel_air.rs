@@ -2,7 +2,7 @@
 
 use super::widgets::{choice, log_slider, pick, section, slider, vector};
 use egui::Ui;
-use lucerna::scene::{Air, AirSides, Pressure};
+use lucerna::scene::{Air, AirAdvection, AirSides, Pressure};
 
 pub(super) fn show(ui: &mut Ui, air: &mut Air) {
     section(ui, "Air", false, |ui| {
@@ -32,6 +32,14 @@ pub(super) fn show(ui: &mut Ui, air: &mut Air) {
         slider(ui, &mut air.row_buoyancy_m_s2, 0.0..=5.0, "Row buoyancy", "m/s²", tooltip);
         let sides = [("floor", AirSides::Floor), ("open", AirSides::Open), ("closed", AirSides::Closed)];
         choice(ui, &mut air.sides, &sides, "Sides", "Which sides of the box of air are closed.");
+        let schemes = [
+            ("semi-Lagrangian", AirAdvection::SemiLagrangian),
+            ("MacCormack", AirAdvection::MacCormack),
+            ("reflection", AirAdvection::Reflection),
+            ("cubic", AirAdvection::Cubic),
+        ];
+        let tooltip = "How the air carries its own motion: semi-Lagrangian is the fastest, with reflection eddies live longest.";
+        choice(ui, &mut air.advection, &schemes, "Advection", tooltip);
         pressure(ui, &mut air.pressure);
     });
 }
