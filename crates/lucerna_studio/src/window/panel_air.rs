@@ -38,7 +38,8 @@ pub(super) fn show(ui: &mut Ui, air: &mut Air) {
             ("reflection", AirAdvection::Reflection),
             ("cubic", AirAdvection::Cubic),
         ];
-        let tooltip = "How the air carries its own motion: semi-Lagrangian is the fastest, with reflection eddies live longest.";
+        let tooltip =
+            "How the air carries its own motion: semi-Lagrangian is the fastest, with reflection eddies live longest.";
         choice(ui, &mut air.advection, &schemes, "Advection", tooltip);
         pressure(ui, &mut air.pressure);
     });
