@@ -138,19 +138,25 @@ fn scan(values: &[f32]) -> Figures {
         let (mut sums, mut squares) = ([0.0_f32; LANES], [0.0_f32; LANES]);
         let (mut low, mut high) = ([0.0_f32; LANES], [0.0_f32; LANES]);
         let (chunks, rest) = values.as_chunks::<LANES>();
-        let mut take = |lane: usize, value: f32| {
-            sums[lane] += value;
-            squares[lane] += value * value;
-            low[lane] = if value < low[lane] { value } else { low[lane] };
-            high[lane] = if value > high[lane] { value } else { high[lane] };
-        };
         for chunk in chunks {
-            for (lane, value) in chunk.iter().enumerate() {
-                take(lane, *value);
+            for lane in 0..LANES {
+                sums[lane] += chunk[lane];
+            }
+            for lane in 0..LANES {
+                squares[lane] += chunk[lane] * chunk[lane];
+            }
+            for lane in 0..LANES {
+                low[lane] = if chunk[lane] < low[lane] { chunk[lane] } else { low[lane] };
+            }
+            for lane in 0..LANES {
+                high[lane] = if chunk[lane] > high[lane] { chunk[lane] } else { high[lane] };
             }
         }
         for (lane, value) in rest.iter().enumerate() {
-            take(lane, *value);
+            sums[lane] += value;
+            squares[lane] += value * value;
+            low[lane] = low[lane].min(*value);
+            high[lane] = high[lane].max(*value);
         }
         for lane in 0..LANES {
             all.sum += f64::from(sums[lane]);

@@ -166,28 +166,44 @@ fn subtract_end(
 fn subtract(out: &mut [f32], low: &[f32], high: &[f32], inverse_m: f32, weights: Option<&[f32]>) {
     let count = out.len();
     let (low, high) = (&low[..count], &high[..count]);
-    let left = |i: usize, value: f32| {
-        let step = (high[i] - low[i]) * inverse_m;
-        value - weights.map_or(step, |weights| weights[i] * step)
-    };
-    if let Some(last) = count.checked_sub(LANES) {
-        // The last lanes overlap those before them: find them first.
-        let mut tail = [0.0; LANES];
-        for (lane, tail) in tail.iter_mut().enumerate() {
-            *tail = left(last + lane, out[last + lane]);
+    let Some(last) = count.checked_sub(LANES) else {
+        for i in 0..count {
+            let step = (high[i] - low[i]) * inverse_m;
+            out[i] -= weights.map_or(step, |weights| weights[i] * step);
         }
-        let (chunks, _) = out.as_chunks_mut::<LANES>();
-        for (chunk, values) in chunks.iter_mut().enumerate() {
-            for (lane, value) in values.iter_mut().enumerate() {
-                *value = left(chunk * LANES + lane, *value);
+        return;
+    };
+    // The last lanes overlap those before them: find them first.
+    let mut tail = [0.0; LANES];
+    tail.copy_from_slice(&out[last..]);
+    let (mut low_tail, mut high_tail) = ([0.0; LANES], [0.0; LANES]);
+    low_tail.copy_from_slice(&low[last..]);
+    high_tail.copy_from_slice(&high[last..]);
+    let ((chunks, _), (lows, _), (highs, _)) =
+        (out.as_chunks_mut::<LANES>(), low.as_chunks::<LANES>(), high.as_chunks::<LANES>());
+    if let Some(weights) = weights {
+        let mut weight_tail = [0.0; LANES];
+        weight_tail.copy_from_slice(&weights[last..count]);
+        let (weights, _) = weights.as_chunks::<LANES>();
+        for (((out, low), high), weights) in chunks.iter_mut().zip(lows).zip(highs).zip(weights) {
+            for lane in 0..LANES {
+                out[lane] -= weights[lane] * ((high[lane] - low[lane]) * inverse_m);
             }
         }
-        out[last..].copy_from_slice(&tail);
+        for lane in 0..LANES {
+            tail[lane] -= weight_tail[lane] * ((high_tail[lane] - low_tail[lane]) * inverse_m);
+        }
     } else {
-        for (i, value) in out.iter_mut().enumerate() {
-            *value = left(i, *value);
+        for ((out, low), high) in chunks.iter_mut().zip(lows).zip(highs) {
+            for lane in 0..LANES {
+                out[lane] -= (high[lane] - low[lane]) * inverse_m;
+            }
+        }
+        for lane in 0..LANES {
+            tail[lane] -= (high_tail[lane] - low_tail[lane]) * inverse_m;
         }
     }
+    out[last..].copy_from_slice(&tail);
 }
 
 /// Greatest speed through a face, by axis, m/s.
