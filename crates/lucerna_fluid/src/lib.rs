@@ -1,4 +1,4 @@
-//! Air in a box: a stable-fluids solver on a staggered grid, in SI units and `f32`.
+//! Gas in a box: a stable-fluids solver on a staggered grid, in SI units and `f32`.
 //!
 //! ```
 //! use lucerna_fluid::{Fluid, Side, Sides, Vec3};
@@ -19,8 +19,9 @@
 //! ```
 //!
 //! One step (J. Stam, *Stable Fluids*, SIGGRAPH 1999, on the grid of Harlow and Welch 1965):
-//! advection ([`Fluid::step`] traces backwards with the midpoint rule), heat, forces,
-//! viscosity, and a projection that leaves the flow free of divergence to rounding.
+//! advection ([`Advection`], [`ScalarAdvection`]), heat and burning, forces, viscosity, and a
+//! projection that leaves the flow free of divergence to rounding. [`ops`] has the operators
+//! alone, on plain arrays.
 //!
 //! Order of cells: x fastest, then y, then z; y is up. The centre of cell (0,0,0) lies at
 //! `origin + cell_size / 2`. Velocities sit on the cells' faces: the x component has

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use lucerna_fluid::{Fluid, Side, SideAt, Sides, Vec3};
+use lucerna_fluid::{Advection, Fluid, Side, SideAt, Sides, Vec3};
 use plotters::chart::SeriesLabelPosition;
 
 use crate::chart::{Chart, Mark, Series, write_row};
@@ -18,8 +18,12 @@ pub(crate) fn run(folder: &Path, rows: &mut Vec<Row>) -> Outcome<()> {
         (100.0, [GHIA_100_U, GHIA_100_V], "Ghia et al. 1982", 25.0),
         (1000.0, [BOTELLA_1000_U, BOTELLA_1000_V], "Botella and Peyret 1998", 80.0),
     ];
-    for (colour, (reynolds, published, source, end_s)) in cases.into_iter().enumerate() {
-        let fluid = settled(reynolds, end_s)?;
+    let schemes = [Advection::MacCormack, Advection::Reflection];
+    let runs = cases.into_iter().enumerate().flat_map(|case| schemes.map(|scheme| (case, scheme)));
+    for ((colour, (reynolds, published, source, end_s)), scheme) in runs {
+        let fluid = settled(reynolds, end_s, scheme)?;
+        // The better one is drawn.
+        let is_drawn = scheme == Advection::Reflection;
         let mut off = [0.0_f64; 2];
         for axis in 0..2 {
             let at = |place: f64| {
@@ -31,23 +35,25 @@ pub(crate) fn run(folder: &Path, rows: &mut Vec<Row>) -> Outcome<()> {
             let centres = (0..CELLS).map(|cell| (cell as f64 + 0.5) / CELLS as f64).map(|place| (place, at(place)));
             let lid = if axis == 0 { 1.0 } else { 0.0 };
             let line = [(0.0, 0.0)].into_iter().chain(centres).chain([(1.0, lid)]);
-            series[axis].push(Series {
-                name: format!("Re {reynolds}"),
-                colour: colour + 1,
-                mark: Mark::Line,
-                points: line.collect(),
-            });
-            series[axis].push(Series {
-                name: format!("Re {reynolds}, {source}"),
-                colour: colour + 1,
-                mark: Mark::Points,
-                points: published[axis].to_vec(),
-            });
+            if is_drawn {
+                series[axis].push(Series {
+                    name: format!("Re {reynolds}"),
+                    colour: colour + 1,
+                    mark: Mark::Line,
+                    points: line.collect(),
+                });
+                series[axis].push(Series {
+                    name: format!("Re {reynolds}, {source}"),
+                    colour: colour + 1,
+                    mark: Mark::Points,
+                    points: published[axis].to_vec(),
+                });
+            }
             off[axis] = published[axis].iter().fold(0.0, |most, (place, value)| most.max((at(*place) - value).abs()));
         }
         rows.push(Row {
             what: format!(
-                "lid-driven cavity, {CELLS}^2, Re {reynolds}: greatest difference on the centrelines, u and v"
+                "lid-driven cavity, {CELLS}^2, Re {reynolds}, {scheme:?}: greatest difference on the centrelines, u and v"
             ),
             measured: format!("{:.4}, {:.4} of the lid's speed", off[0], off[1]),
             reference: source.into(),
@@ -76,13 +82,14 @@ pub(crate) fn run(folder: &Path, rows: &mut Vec<Row>) -> Outcome<()> {
 }
 
 /// The flow after `end_s` seconds, in a box of 1 m with a lid of 1 m/s.
-fn settled(reynolds: f32, end_s: f32) -> Outcome<Fluid> {
+fn settled(reynolds: f32, end_s: f32, scheme: Advection) -> Outcome<Fluid> {
     let no_slip = [Side::NoSlip; 2];
     let edge = 1.0 / CELLS as f32;
     let mut fluid = Fluid::builder([CELLS, CELLS, 1])
         .size_m(Vec3::new(1.0, 1.0, edge))
         .sides(Sides { x: no_slip, y: no_slip, ..Sides::CLOSED })
         .viscosity_m2_s(1.0 / reynolds)
+        .advection(scheme)
         .build()?;
     fluid.set_side_velocity(SideAt::Top, |_| Vec3::X)?;
     let dt_s = 0.5 * edge;

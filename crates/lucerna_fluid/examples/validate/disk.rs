@@ -13,7 +13,7 @@ use crate::schemes::SCALAR_SCHEMES;
 use crate::{Outcome, Row};
 
 const CELLS: usize = 100;
-const STEPS: usize = 400;
+const STEPS: usize = 200;
 const MIDDLE: Vec3 = Vec3::new(0.5, 0.5, 0.0);
 
 /// Outlines after one turn, and what became of the mass and of the bounds.

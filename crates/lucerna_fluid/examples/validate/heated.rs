@@ -4,7 +4,7 @@ use std::path::Path;
 
 use lucerna_fluid::{Fluid, GRAVITY_M_S2, Side, SideAt, Sides, Vec3};
 
-use crate::picture::{Picture, temperature_colour};
+use crate::picture::{Picture, two_colours};
 use crate::published::DE_VAHL_DAVIS;
 use crate::{Outcome, Row};
 
@@ -85,6 +85,6 @@ fn draw(fluid: &Fluid) -> Picture {
         let here = share(x, y);
         let band = |value: f64| (10.0 * value).floor() as i32;
         let is_line = band(here) != band(share(x + 1.0, y)) || band(here) != band(share(x, y + 1.0));
-        if is_line { [20; 3] } else { temperature_colour(here) }
+        if is_line { [20; 3] } else { two_colours(here) }
     })
 }

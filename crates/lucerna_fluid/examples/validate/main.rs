@@ -12,6 +12,7 @@ mod picture;
 mod plume;
 mod published;
 mod schemes;
+mod street;
 mod taylor_green;
 
 use std::error::Error;
@@ -37,6 +38,7 @@ const CASES: &[(&str, Case)] = &[
     ("disk", disk::run),
     ("cavity", cavity::run),
     ("heated_cavity", heated::run),
+    ("street", street::run),
     ("plume", plume::run),
 ];
 

@@ -45,8 +45,8 @@ impl Picture {
 }
 
 /// Blue, white, red over 0 to 1, in steps so that the file stays small.
-pub(crate) fn temperature_colour(share: f64) -> [u8; 3] {
-    let share = ((share * 40.0).floor() / 40.0).clamp(0.0, 1.0);
+pub(crate) fn two_colours(share: f64) -> [u8; 3] {
+    let share = ((share * 40.0).round() / 40.0).clamp(0.0, 1.0);
     let (cold, hot) = ([49.0, 98.0, 176.0], [190.0, 50.0, 42.0]);
     let (end, way) = if share < 0.5 { (cold, 1.0 - 2.0 * share) } else { (hot, 2.0 * share - 1.0) };
     end.map(|value| (255.0 + way * (value - 255.0)) as u8)
