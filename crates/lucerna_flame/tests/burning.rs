@@ -2,14 +2,14 @@
 
 use glam::Vec3;
 use lucerna_flame::{FlameError, FlameSettings, Flames, Fuel, FuelDistribution, Skeletons, Swing, WickShape};
-use lucerna_fluid::{Fluid, Side, Sides};
+use lucerna_fluid::{Advection, Fluid, Side, Sides};
 use lucerna_frame::FlameShade;
 use std::collections::HashMap;
 
 fn air(cells: usize, low: [f32; 3], size: [f32; 3]) -> Fluid {
     let sides = Sides { y: [Side::FreeSlip, Side::Open], ..Sides::OPEN };
     let builder = Fluid::builder([cells, cells * 2, cells]).origin(low.into()).size_m(size.into());
-    builder.sides(sides).cooling_per_s(2.0).build().expect("a plain box of air")
+    builder.advection(Advection::SemiLagrangian).sides(sides).cooling_per_s(2.0).build().expect("a plain box of air")
 }
 
 fn candle() -> (Fluid, FlameSettings) {
