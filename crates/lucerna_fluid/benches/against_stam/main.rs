@@ -66,7 +66,7 @@ fn main() {
 fn compare(n: usize, is_quick: bool, programs: &[(&str, Classic)], machine: &Machine) {
     let cells = n * n * n;
     let turns = if is_quick { 1 } else { 5 };
-    let steps = if is_quick { 2 } else { (1_000_000 / cells).clamp(6, 100) };
+    let steps = if is_quick { 2 } else { (4_000_000 / cells).clamp(8, 100) };
     let c_steps = if is_quick { 2 } else { (500_000 / cells).clamp(3, 100) };
     let mut classic = vec![[f64::MAX; MODES.len()]; programs.len()];
     let mut ours = vec![[Fastest::NONE; 2]; VARIANTS.len()];
