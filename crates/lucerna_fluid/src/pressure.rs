@@ -139,13 +139,13 @@ impl Projection<'_> {
         if let Some(mask) = mask {
             self.keep_fluid(mask, &mut before);
         } else if grid.is_sealed() {
-            mean = (before.sum / cells) as f32;
+            mean = before.sum / cells;
             // Taking it out of the sum of squares will do where it is small.
-            if f64::from(mean).powi(2) * cells > 1.0e-3 * before.squares {
+            if mean.powi(2) * cells > 1.0e-3 * before.squares {
                 before = self.measure(slices(velocity), expansion, mean);
             } else {
-                before.squares -= f64::from(mean).powi(2) * cells;
-                (before.low, before.high) = (before.low - mean, before.high - mean);
+                before.squares -= mean.powi(2) * cells;
+                (before.low, before.high) = (before.low - mean as f32, before.high - mean as f32);
             }
         }
         let rms_speed_before = before.rms_speed(grid);
@@ -194,7 +194,7 @@ impl Projection<'_> {
     }
 
     /// Fills the divergence with `div velocity - expansion - mean`; measures it and the velocity.
-    fn measure(&mut self, velocity: [&[f32]; 3], expansion: Option<&[f32]>, mean: f32) -> Figures {
+    fn measure(&mut self, velocity: [&[f32]; 3], expansion: Option<&[f32]>, mean: f64) -> Figures {
         let Spare { divergence, figures, .. } = &mut *self.spare;
         measure(self.grid, velocity, expansion, mean, divergence, figures)
     }

@@ -53,13 +53,16 @@ pub(crate) fn measure(
     grid: &Grid,
     velocity: [&[f32]; 3],
     expansion: Option<&[f32]>,
-    mean: f32,
+    mean: f64,
     divergence: &mut [f32],
     figures: &mut [Figures],
 ) -> Figures {
     let [nx, ny, nz] = grid.cells;
     let plane = grid.plane();
     let [u, v, w] = velocity;
+    // In two parts, and first of all to what expands: the rest of great values that nearly cancel is exact.
+    let high = mean as f32;
+    let low = (mean - f64::from(high)) as f32;
     for_planes_and_figures(
         grid,
         divergence,
@@ -69,10 +72,9 @@ pub(crate) fn measure(
             divergence_plane(grid, velocity, k, out);
             if let Some(expansion) = expansion {
                 let rates = &expansion[k * plane..(k + 1) * plane];
-                out.iter_mut().zip(rates).for_each(|(value, rate)| *value -= rate);
-            }
-            if mean != 0.0 {
-                out.iter_mut().for_each(|value| *value -= mean);
+                out.iter_mut().zip(rates).for_each(|(value, rate)| *value -= (rate + high) + low);
+            } else if mean != 0.0 {
+                out.iter_mut().for_each(|value| *value = (*value - high) - low);
             }
             let of_divergence = scan(out);
             let w_end = if k + 1 == nz { k + 2 } else { k + 1 };
