@@ -1,5 +1,7 @@
 //! B-spline basis functions and their derivatives.
 
+use alloc::{vec, vec::Vec};
+
 use crate::{KnotVector, MAX_DEGREE, NurbsError, Real};
 
 /// The nonzero basis functions at one parameter, with derivatives.

@@ -1,5 +1,7 @@
 //! Rational B-spline curves in any number of dimensions.
 
+use alloc::{vec, vec::Vec};
+
 use crate::vector::add_scaled;
 use crate::{KnotVector, NurbsError, Real, basis, check};
 

@@ -1,5 +1,7 @@
 //! Knot vectors, validated once.
 
+use alloc::{vec, vec::Vec};
+
 use crate::{MAX_DEGREE, MAX_POINTS, NurbsError, Real, check};
 
 /// A nondecreasing sequence of knots together with the degree it is meant for.

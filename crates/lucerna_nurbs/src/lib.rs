@@ -48,6 +48,19 @@
 //! assert_eq!(vertices[0], vertices[32], "the seam closes bit for bit");
 //! # Ok::<(), lucerna_nurbs::NurbsError>(())
 //! ```
+//!
+//! # Features
+//!
+//! * `std` (on by default): square roots by the processor. Without it the crate needs an allocator
+//!   and nothing else of the platform.
+//!
+//! The least Rust version is 1.95.
+
+#![no_std]
+
+extern crate alloc;
+#[cfg(feature = "std")]
+extern crate std;
 
 mod basis;
 mod check;

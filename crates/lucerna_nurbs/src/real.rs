@@ -52,6 +52,10 @@ pub trait Real:
     fn to_f64(self) -> f64;
     /// The square root, NaN below zero.
     fn sqrt(self) -> Self;
+    /// The largest whole number that is not above.
+    fn floor(self) -> Self;
+    /// Sine and cosine of an angle in radians, the same bits on every platform.
+    fn sin_cos(self) -> (Self, Self);
     /// The absolute value.
     fn abs(self) -> Self;
     /// Neither infinite nor NaN.
@@ -84,7 +88,22 @@ macro_rules! real {
             }
             #[inline]
             fn sqrt(self) -> Self {
-                self.sqrt()
+                #[cfg(feature = "std")]
+                return self.sqrt();
+                #[cfg(not(feature = "std"))]
+                return libm::sqrt(self as f64) as $t;
+            }
+            #[inline]
+            fn floor(self) -> Self {
+                #[cfg(feature = "std")]
+                return self.floor();
+                #[cfg(not(feature = "std"))]
+                return libm::floor(self as f64) as $t;
+            }
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                let (sin, cos) = libm::sincos(self as f64);
+                (sin as $t, cos as $t)
             }
             #[inline]
             fn abs(self) -> Self {

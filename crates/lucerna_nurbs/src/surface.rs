@@ -1,5 +1,7 @@
 //! Rational B-spline surfaces.
 
+use alloc::{vec, vec::Vec};
+
 use crate::vector::{add_scaled, largest, unit_cross};
 use crate::{KnotVector, NurbsError, Real, basis, check};
 

@@ -1,5 +1,7 @@
 //! The tables of one direction of a grid.
 
+use alloc::vec::Vec;
+
 use super::Closure;
 use crate::{KnotVector, NurbsError, Real, check};
 

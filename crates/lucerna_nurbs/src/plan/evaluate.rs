@@ -5,6 +5,8 @@
 //! contraction, along v, has the same factors for a whole row of vertices and runs in vector
 //! registers without gathering.
 
+use alloc::vec::Vec;
+
 use super::kernels::{combine, cross_rows, divide};
 use super::{GridPlan, topology};
 use crate::vector::{add_scaled, largest, sub};

@@ -8,6 +8,8 @@ mod topology;
 
 pub use evaluate::{GridVertex, Scratch};
 
+use alloc::vec::Vec;
+
 use crate::{KnotVector, NurbsError, Real};
 use axis::Axis;
 
@@ -193,5 +195,7 @@ pub fn cells_for_error(size: f64, tolerance: f64) -> Result<usize, NurbsError> {
             return Err(NurbsError::NotPositive { name, value });
         }
     }
-    Ok((3.0 * (size / tolerance).sqrt()).ceil().clamp(3.0, 8192.0) as usize)
+    let cells = 3.0 * Real::sqrt(size / tolerance);
+    // Rounded up.
+    Ok((-Real::floor(-cells)).clamp(3.0, 8192.0) as usize)
 }

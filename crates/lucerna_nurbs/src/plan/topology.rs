@@ -1,5 +1,7 @@
 //! How vertices are numbered and joined to triangles.
 
+use alloc::vec::Vec;
+
 use super::GridOptions;
 
 /// The number of vertices in row `j`.
