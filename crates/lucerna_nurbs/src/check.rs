@@ -30,3 +30,11 @@ pub(crate) fn weights<T: Real>(weights: &[T], expected: usize) -> Result<(), Nur
 pub(crate) fn is_within<T: Real>(x: T, limit: T) -> bool {
     x.abs() <= limit
 }
+
+/// Refuses what is not above zero and finite.
+pub(crate) fn positive<T: Real>(name: &'static str, value: T) -> Result<(), NurbsError> {
+    if value > T::ZERO && value.is_finite() {
+        return Ok(());
+    }
+    Err(NurbsError::NotPositive { name, value: value.to_f64() })
+}

@@ -33,6 +33,7 @@ impl<T: Real, const D: usize> Curve<T, D> {
     /// # Errors
     /// When the counts do not match, a coordinate is not finite or a weight is not positive.
     pub fn new(knots: KnotVector<T>, points: Vec<[T; D]>, weights: Option<Vec<T>>) -> Result<Self, NurbsError> {
+        const { assert!(D > 0, "a curve needs at least one dimension") };
         check::points(&points, knots.count())?;
         if let Some(weights) = &weights {
             check::weights(weights, points.len())?;

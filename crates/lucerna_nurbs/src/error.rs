@@ -73,12 +73,12 @@ pub enum NurbsError {
         /// How often it may occur.
         allowed: usize,
     },
-    /// The domain between the knots `degree` and `count` has no length.
-    #[error("the domain from {lo} to {hi} is empty: knot `degree` must lie below knot `count`")]
+    /// A domain, from knot `degree` to knot `count`, or a part to be cut out, has no length.
+    #[error("the domain from {lo} to {hi} is empty: the first must be below the second")]
     EmptyDomain {
-        /// The knot at index `degree`.
+        /// The lower end.
         lo: f64,
-        /// The knot at index `count`.
+        /// The upper end.
         hi: f64,
     },
     /// The knots do not repeat, so that the direction cannot be closed.

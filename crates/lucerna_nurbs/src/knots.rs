@@ -160,6 +160,52 @@ impl<T: Real> KnotVector<T> {
         p + above.max(1) - 1
     }
 
+    /// How often `t` occurs among the knots.
+    pub fn multiplicity(&self, t: T) -> usize {
+        self.knots.iter().filter(|&&knot| knot == t).count()
+    }
+
+    /// Whether both ends of the domain occur `degree + 1` times: then a curve starts in its first
+    /// point and ends in its last.
+    pub fn is_clamped(&self) -> bool {
+        let (lo, hi) = self.domain();
+        self.knots[0] == lo && self.knots[self.knots.len() - 1] == hi
+    }
+
+    /// Carries a parameter into the domain by whole multiples of its length, which is what a
+    /// parameter of a closed curve means. The upper end becomes the lower.
+    ///
+    /// ```
+    /// use lucerna_nurbs::KnotVector;
+    ///
+    /// let knots = KnotVector::<f64>::periodic(3, 8)?;
+    /// assert_eq!((knots.wrap(-0.5)?, knots.wrap(17.25)?, knots.wrap(8.0)?), (7.5, 1.25, 0.0));
+    /// # Ok::<(), lucerna_nurbs::NurbsError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// When `t` is NaN or infinite.
+    pub fn wrap(&self, t: T) -> Result<T, NurbsError> {
+        let (lo, hi) = self.domain();
+        if !t.is_finite() {
+            return Err(NurbsError::Parameter { name: "t", value: t.to_f64(), lo: f64::MIN, hi: f64::MAX });
+        }
+        if t >= lo && t < hi {
+            return Ok(t);
+        }
+        let length = hi - lo;
+        let inside = t - length * ((t - lo) / length).floor();
+        // Rounding, and a length too small to count in a large parameter, must not carry it out.
+        Ok(if inside >= lo && inside < hi { inside } else { lo })
+    }
+
+    /// The knots that run the other way on the same domain.
+    pub(crate) fn reverse(&self) -> Result<Self, NurbsError> {
+        let (lo, hi) = self.domain();
+        let turn = |&knot: &T| if knot == lo { hi } else { lo + (hi - knot) };
+        Self::new(self.degree, self.knots.iter().rev().map(turn).collect())
+    }
+
     /// Refuses NaN and parameters outside the domain.
     pub(crate) fn check(&self, name: &'static str, t: T) -> Result<(), NurbsError> {
         let (lo, hi) = self.domain();

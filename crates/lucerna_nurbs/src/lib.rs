@@ -7,6 +7,8 @@
 //! * [`KnotVector`]: knots, validated once; basis functions (A2.1 to A2.3).
 //! * [`Curve`], [`Surface`]: rational, of any degree up to [`MAX_DEGREE`]; points and derivatives
 //!   (A3.1, A3.2, A3.5, A3.6, A4.1 to A4.4); normals that are also right where an edge collapses.
+//! * Editing that leaves the shape where it is: knots inserted and removed, degrees raised, parts cut
+//!   out, Bezier pieces (A5.1 to A5.9), directions reversed and exchanged, curves on surfaces.
 //! * [`GridPlan`]: everything about a uniform grid that does not depend on the control points,
 //!   computed once and shared by all surfaces of that size.
 //!
@@ -65,15 +67,18 @@ extern crate std;
 mod basis;
 mod check;
 mod curve;
+mod edit;
 mod error;
 mod knots;
 mod plan;
 mod real;
+mod strip;
 mod surface;
 mod vector;
 
 pub use basis::Basis;
 pub use curve::Curve;
+pub use edit::Direction;
 pub use error::NurbsError;
 pub use knots::KnotVector;
 pub use plan::{Closure, GridOptions, GridPlan, GridVertex, Scratch, cells_for_error};

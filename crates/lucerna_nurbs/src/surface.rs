@@ -64,8 +64,18 @@ impl<T: Real> Surface<T> {
         if let Some(weights) = &weights {
             check::weights(weights, points.len())?;
         }
+        Ok(Self::from_valid(knots_u, knots_v, points, weights))
+    }
+
+    /// A surface of parts known to fit.
+    pub(crate) fn from_valid(
+        knots_u: KnotVector<T>,
+        knots_v: KnotVector<T>,
+        points: Vec<[T; 3]>,
+        weights: Option<Vec<T>>,
+    ) -> Self {
         let extent = points.iter().fold(T::ZERO, |extent, &point| extent.max(largest(point)));
-        Ok(Self { knots_u, knots_v, points, weights, extent })
+        Self { knots_u, knots_v, points, weights, extent }
     }
 
     /// A surface closed smoothly in u: periodic uniform knots of degree `degree_u`, the first
