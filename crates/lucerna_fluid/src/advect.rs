@@ -4,6 +4,7 @@ mod back;
 mod carrier;
 mod carry;
 mod copy;
+mod corners;
 mod cubic;
 mod energy;
 mod flux;

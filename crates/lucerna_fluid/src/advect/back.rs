@@ -3,10 +3,9 @@
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
+use super::corners::corners;
 use super::cubic::{self, Padded};
-use super::sample::{
-    LANES, Lattice, V, active, blend, bounds, corners, least, load, most, places, ramp, sample, store,
-};
+use super::sample::{LANES, Lattice, V, active, blend, bounds, least, load, most, places, ramp, store};
 use super::trace::Ways;
 use crate::grid::Grid;
 use crate::parallel::{Partial, PlaneKernel};
@@ -64,7 +63,7 @@ pub(super) struct Backward<'a, const WRAPS: bool> {
 }
 
 impl<const WRAPS: bool> Backward<'_, WRAPS> {
-    /// The ways of eight values; see [`Ways`].
+    /// The ways of sixteen values; see [`Ways`].
     #[inline(always)]
     fn ways<S: Simd>(&self, simd: S, from: usize, [first, j, k]: [usize; 3]) -> [V<S>; 3] {
         match self.kind.0 {
@@ -73,7 +72,7 @@ impl<const WRAPS: bool> Backward<'_, WRAPS> {
         }
     }
 
-    /// Places of eight values, and where their air was.
+    /// Places of sixteen values, and where their air was.
     #[inline(always)]
     fn origins<S: Simd>(&self, simd: S, [first, j, k]: [usize; 3]) -> ([V<S>; 3], [V<S>; 3]) {
         let here = [ramp(simd) + first as f32, V::splat(simd, j as f32), V::splat(simd, k as f32)];
@@ -133,11 +132,12 @@ impl<const WRAPS: bool> PlaneKernel<f32> for Backward<'_, WRAPS> {
                 let first = LANES * block;
                 let (_, at) = self.origins(simd, [first, j, k]);
                 let lanes = active(nx, first);
+                let places = places::<S, WRAPS>(simd, &self.from, at);
                 let mut values = match &self.padded {
-                    Some(padded) => cubic::sample::<S, WRAPS>(simd, &self.from, padded, at, lanes),
-                    None => sample::<S, WRAPS>(simd, &self.from, at, lanes),
+                    Some(padded) => cubic::sample(simd, padded, &places, lanes),
+                    None => blend(corners(simd, &self.from, &places, lanes), &places),
                 };
-                if inlets.any {
+                if inlets.any && !places.are_inside(lanes) {
                     let beyond = inlets.beyond(simd, at);
                     let zero = V::splat(simd, 0.0);
                     if (beyond[0] + beyond[1] + beyond[2]).simd_gt(zero).any_true() {
@@ -185,7 +185,7 @@ impl<const WRAPS: bool> PlaneKernel<f32> for Correction<'_, WRAPS> {
                 let found = load(simd, self.found, index);
                 let corrected = found + (load(simd, self.start, index) - again) * 0.5;
                 let mut values = most(least(corrected, high), low);
-                if inlets.any {
+                if inlets.any && !(before.are_inside(lanes) && after.are_inside(lanes)) {
                     // Where the way leads out there is nothing to compare with.
                     let (there, here) = (inlets.beyond(simd, at), inlets.beyond(simd, to));
                     let beyond = there[0] + there[1] + there[2] + here[0] + here[1] + here[2];

@@ -33,7 +33,7 @@ fn more(grid: &Grid, own: Option<usize>) -> [bool; 3] {
 }
 
 /// Copies `values` with one value more at either end of each axis that has more than one, next
-/// to those that [`wrapped`] adds: the last one again, or what lies around the corner. Eight
+/// to those that [`wrapped`] adds: the last one again, or what lies around the corner. Sixteen
 /// zeros more at either end of the array.
 pub(super) fn padded(grid: &Grid, values: &[f32], counts: [usize; 3], own: Option<usize>, out: &mut Vec<f32>) {
     let (inner, periodic) = (wrapped_counts(grid, counts, own), grid.periodic());

@@ -3,12 +3,12 @@
 //! J. Stam, H. W. Jensen, *Visual Simulation of Smoke*, SIGGRAPH 2001, appendix B).
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Simd, i32x8, mask32x8};
+use fearless_simd::{Simd, mask32x16};
 
-use super::sample::{LANES, Lattice, Places, V, least, places};
+use super::sample::{I, LANES, Places, V, counted, least};
 
 /// A lattice with one value more before the first and after the last along each axis that has
-/// more than one, and eight values more at either end of the array.
+/// more than one, and sixteen values more at either end of the array.
 #[derive(Clone, Copy)]
 pub(super) struct Padded<'a> {
     data: &'a [f32],
@@ -29,20 +29,20 @@ impl<'a> Padded<'a> {
 struct Groups<S: Simd> {
     count: usize,
     from: [usize; LANES],
-    lanes: [mask32x8<S>; LANES],
+    lanes: [mask32x16<S>; LANES],
 }
 
 impl<S: Simd> Groups<S> {
     #[inline(always)]
-    fn new(simd: S, base: i32x8<S>, active: u64) -> Self {
-        let shift = base - i32x8::simd_from(simd, [0, 1, 2, 3, 4, 5, 6, 7]);
+    fn new(simd: S, base: I<S>, active: u64) -> Self {
+        let shift = base - counted(simd);
         let shifts = *shift.as_array();
-        let none = mask32x8::splat(simd, false);
+        let none = mask32x16::splat(simd, false);
         let mut groups = Self { count: 0, from: [0; LANES], lanes: [none; LANES] };
         let mut pending = active;
         while pending != 0 {
             let from = shifts[pending.trailing_zeros() as usize % LANES];
-            let lanes = shift.simd_eq(i32x8::splat(simd, from));
+            let lanes = shift.simd_eq(I::splat(simd, from));
             groups.from[groups.count] = (from + LANES as i32) as usize;
             groups.lanes[groups.count] = lanes;
             groups.count += 1;
@@ -63,16 +63,10 @@ impl<S: Simd> Groups<S> {
     }
 }
 
-/// Samples at eight places of `lattice`, of which `padded` is the padded copy.
+/// Samples at sixteen places of a lattice, of which `padded` is the padded copy.
 #[inline(always)]
-pub(super) fn sample<S: Simd, const WRAPS: bool>(
-    simd: S,
-    lattice: &Lattice,
-    padded: &Padded,
-    at: [V<S>; 3],
-    active: u64,
-) -> V<S> {
-    let Places { wholes: [x, y, z], shares: [fx, fy, fz], .. } = places::<S, WRAPS>(simd, lattice, at);
+pub(super) fn sample<S: Simd>(simd: S, padded: &Padded, places: &Places<S>, active: u64) -> V<S> {
+    let Places { wholes: [x, y, z], shares: [fx, fy, fz], .. } = *places;
     let [nx, ny, _] = padded.counts;
     // The value before the whole part: its index in the padded copy is the whole part itself.
     let groups = Groups::new(simd, x + (y + z * ny as i32) * nx as i32, active);

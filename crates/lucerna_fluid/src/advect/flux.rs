@@ -75,7 +75,7 @@ struct Pass<'a> {
 struct Parts<'a>(Pass<'a>);
 
 impl Pass<'_> {
-    /// Courant numbers of eight cells' faces: low and high one along x, y and z.
+    /// Courant numbers of sixteen cells' faces: low and high one along x, y and z.
     #[inline(always)]
     fn courant<S: Simd>(&self, simd: S, first: usize, j: usize, k: usize) -> [V<S>; 6] {
         let [nx, ny, _] = self.grid.cells;

@@ -1,25 +1,26 @@
-//! Trilinear samples of a lattice at eight places at once.
-//!
-//! What makes sampling slow is fetching the eight corners of each place one by one. Where the
-//! flow is smooth, neighbours in a row come from neighbours in a row: their corners are plain
-//! loads of eight. Lanes that come from elsewhere are fetched in groups that share their shift.
+//! Trilinear samples of a lattice at sixteen places at once.
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Simd, f32x8, i32x8};
+use fearless_simd::{Simd, f32x16, i32x16, mask32x16};
+
+use super::corners::corners;
 
 /// Values handled together.
-pub(super) const LANES: usize = 8;
+pub(super) const LANES: usize = 16;
 
-/// Eight numbers.
-pub(super) type V<S> = f32x8<S>;
+/// Sixteen numbers.
+pub(super) type V<S> = f32x16<S>;
+
+/// Sixteen whole numbers.
+pub(super) type I<S> = i32x16<S>;
 
 /// Values to be sampled, x fastest; places count from the first.
 #[derive(Clone, Copy)]
 pub(super) struct Lattice<'a> {
     pub(super) data: &'a [f32],
-    counts: [usize; 3],
+    pub(super) counts: [usize; 3],
     /// To the next value along each axis; 0 along an axis with a single one.
-    steps: [usize; 3],
+    pub(super) steps: [usize; 3],
     /// After how many values an axis repeats itself; 0 if it does not.
     periods: [f32; 3],
 }
@@ -36,18 +37,34 @@ impl<'a> Lattice<'a> {
     }
 }
 
-/// Where eight samples are to be taken.
+/// Where sixteen samples are to be taken.
 #[derive(Clone, Copy)]
 pub(super) struct Places<S: Simd> {
-    pub(super) wholes: [i32x8<S>; 3],
-    base: i32x8<S>,
+    pub(super) wholes: [I<S>; 3],
+    pub(super) base: I<S>,
     pub(super) shares: [V<S>; 3],
+    /// Which places lie on the lattice.
+    inside: mask32x16<S>,
 }
 
-/// 0 to 7.
+impl<S: Simd> Places<S> {
+    /// Whether all of the `active` places lie on the lattice.
+    #[inline(always)]
+    pub(super) fn are_inside(&self, active: u64) -> bool {
+        self.inside.to_bitmask() & active == active
+    }
+}
+
+/// 0 to 15.
 #[inline(always)]
 pub(super) fn ramp<S: Simd>(simd: S) -> V<S> {
-    V::simd_from(simd, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0])
+    counted(simd).to_float()
+}
+
+/// The same in whole numbers.
+#[inline(always)]
+pub(super) fn counted<S: Simd>(simd: S) -> I<S> {
+    I::simd_from(simd, [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15])
 }
 
 /// The smaller of two, the same on every level.
@@ -62,24 +79,30 @@ pub(super) fn most<S: Simd>(a: V<S>, b: V<S>) -> V<S> {
     a.simd_gt(b).select(a, b)
 }
 
-/// Eight values from `at` on; zeros beyond the end.
+/// Sixteen values from `at` on; zeros beyond the end.
 #[inline(always)]
 pub(super) fn load<S: Simd>(simd: S, data: &[f32], at: usize) -> V<S> {
-    if let Some(values) = data.get(at..at + LANES) {
-        return V::from_slice(simd, values);
+    match data.get(at..at + LANES) {
+        Some(values) => V::from_slice(simd, values),
+        None => V::simd_from(simd, rest(data, at)),
     }
+}
+
+/// What there is from `at` on.
+#[cold]
+fn rest(data: &[f32], at: usize) -> [f32; LANES] {
     let mut values = [0.0; LANES];
     if let Some(rest) = data.get(at..) {
         values.iter_mut().zip(rest).for_each(|(value, rest)| *value = *rest);
     }
-    V::simd_from(simd, values)
+    values
 }
 
 /// Writes as many of the values as there is room for.
 #[inline(always)]
 pub(super) fn store<S: Simd>(out: &mut [f32], values: V<S>) {
-    if let Some(chunk) = out.first_chunk_mut::<LANES>() {
-        *chunk = *values.as_array();
+    if let Some(chunk) = out.get_mut(..LANES) {
+        values.store_slice(chunk);
     } else {
         out.iter_mut().zip(values.as_array()).for_each(|(out, value)| *out = *value);
     }
@@ -97,8 +120,9 @@ pub(super) fn active(count: usize, first: usize) -> u64 {
 pub(super) fn places<S: Simd, const WRAPS: bool>(simd: S, lattice: &Lattice, at: [V<S>; 3]) -> Places<S> {
     let [nx, ny, _] = lattice.counts;
     let zero = V::splat(simd, 0.0);
-    let mut wholes = [i32x8::splat(simd, 0); 3];
+    let mut wholes = [I::splat(simd, 0); 3];
     let mut shares = [zero; 3];
+    let mut inside = mask32x16::splat(simd, true);
     for axis in 0..3 {
         let count = lattice.counts[axis];
         let mut place = at[axis];
@@ -106,66 +130,17 @@ pub(super) fn places<S: Simd, const WRAPS: bool>(simd: S, lattice: &Lattice, at:
             let period = lattice.periods[axis];
             place -= (place * (1.0 / period)).floor() * period;
         }
-        let place = least(most(place, zero), V::splat(simd, (count - 1) as f32));
-        let whole: i32x8<S> = place.to_int();
-        let last = i32x8::splat(simd, count.saturating_sub(2) as i32);
+        let clamped = least(most(place, zero), V::splat(simd, (count - 1) as f32));
+        inside &= clamped.simd_eq(place);
+        let whole: I<S> = clamped.to_int();
+        let last = I::splat(simd, count.saturating_sub(2) as i32);
         let whole = whole.simd_lt(last).select(whole, last);
         let float: V<S> = whole.to_float();
-        shares[axis] = place - float;
+        shares[axis] = clamped - float;
         wholes[axis] = whole;
     }
     let [x, y, z] = wholes;
-    Places { wholes, base: x + (y + z * ny as i32) * nx as i32, shares }
-}
-
-/// Values from `from` on, if that many there are.
-#[inline(always)]
-fn window(data: &[f32], from: i32, span: usize) -> Option<&[f32]> {
-    // A negative number becomes one beyond any length.
-    let from = from as usize;
-    data.get(from..from.wrapping_add(span))
-}
-
-/// The eight corners of each place: x fastest, then y, then z. Only the `active` lanes count.
-#[inline(always)]
-pub(super) fn corners<S: Simd>(simd: S, lattice: &Lattice, places: &Places<S>, active: u64) -> [V<S>; 8] {
-    let [dx, dy, dz] = lattice.steps;
-    let shifts = [0, dx, dy, dy + dx, dz, dz + dx, dz + dy, dz + dy + dx];
-    let span = shifts[7] + LANES;
-    let ramp = i32x8::simd_from(simd, [0, 1, 2, 3, 4, 5, 6, 7]);
-    let shift = places.base - ramp;
-    let shift_of = *shift.as_array();
-    let from = shift_of[0];
-    let same = shift.simd_eq(i32x8::splat(simd, from)).to_bitmask();
-    let mut corners = [V::splat(simd, 0.0); 8];
-    if same & active == active
-        && let Some(window) = window(lattice.data, from, span)
-    {
-        for (corner, values) in corners.iter_mut().enumerate() {
-            *values = V::from_slice(simd, &window[shifts[corner]..shifts[corner] + LANES]);
-        }
-        return corners;
-    }
-    let mut pending = active;
-    while pending != 0 {
-        let lane = pending.trailing_zeros() as usize % LANES;
-        let from = shift_of[lane];
-        if let Some(window) = window(lattice.data, from, span) {
-            let same = shift.simd_eq(i32x8::splat(simd, from));
-            for (corner, values) in corners.iter_mut().enumerate() {
-                *values = same.select(V::from_slice(simd, &window[shifts[corner]..shifts[corner] + LANES]), *values);
-            }
-            pending &= !same.to_bitmask();
-        } else {
-            // At the very ends of the array.
-            let base = (from + lane as i32) as usize;
-            for (values, shift) in corners.iter_mut().zip(shifts) {
-                values[lane] = lattice.data[base + shift];
-            }
-            pending &= !(1 << lane);
-        }
-    }
-    corners
+    Places { wholes, base: x + (y + z * ny as i32) * nx as i32, shares, inside }
 }
 
 /// Linear interpolation, exact where both values are the same.

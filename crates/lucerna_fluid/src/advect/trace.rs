@@ -66,7 +66,7 @@ impl Ways {
         self.stride * (part + self.parts * (j + self.cells[1] * k))
     }
 
-    /// Ways of eight cells from (first - back, j, k) on; `from` is 0 for the way back, 3 for the way on.
+    /// Ways of sixteen cells from (first - back, j, k) on; `from` is 0 for the way back, 3 for the way on.
     #[inline(always)]
     pub(super) fn of_cells<S: Simd>(
         &self,
@@ -85,7 +85,7 @@ impl Ways {
         ]
     }
 
-    /// Ways of eight faces across `axis` from (first, j, k) on.
+    /// Ways of sixteen faces across `axis` from (first, j, k) on.
     #[inline(always)]
     pub(super) fn of_faces<S: Simd>(&self, simd: S, from: usize, axis: usize, [first, j, k]: [usize; 3]) -> [V<S>; 3] {
         let beside = |at: usize, across: usize| {
