@@ -1,8 +1,8 @@
 //! The air of a scene.
 
 use glam::Vec3;
-use lucerna_fluid::{Advection, Fluid, FluidError, PressureSolver, Side, Sides};
-use lucerna_scene::{Air, AirAdvection, AirSides, Pressure};
+use lucerna_fluid::{Advection, Fluid, FluidError, PressureSolver, ScalarAdvection, Side, Sides};
+use lucerna_scene::{Air, AirAdvection, AirSides, HeatAdvection, Pressure};
 
 /// Most acceleration of a row that the fluid takes, m/s^2.
 const MAX_ACCELERATION_M_S2: f32 = 1e6;
@@ -29,6 +29,12 @@ pub(crate) fn build(air: &Air) -> Result<Fluid, FluidError> {
             AirAdvection::Reflection => Advection::Reflection,
             AirAdvection::Cubic => Advection::Cubic,
         })
+        .scalar_advection(match air.heat_advection {
+            HeatAdvection::SemiLagrangian => ScalarAdvection::SemiLagrangian,
+            HeatAdvection::Flux => ScalarAdvection::Flux,
+            HeatAdvection::MacCormack => ScalarAdvection::MacCormack,
+            HeatAdvection::Cubic => ScalarAdvection::Cubic,
+        })
         .pressure(match air.pressure {
             Pressure::Direct => PressureSolver::Direct,
             Pressure::GaussSeidel(sweeps) => PressureSolver::GaussSeidel { sweeps },
@@ -38,7 +44,8 @@ pub(crate) fn build(air: &Air) -> Result<Fluid, FluidError> {
 
 /// Whether the two need the same grid, so that the air can go on as it is.
 pub(crate) fn same_grid(a: &Air, b: &Air) -> bool {
-    let built_with = |air: &Air| (air.origin_m, air.size_m, air.cells, air.pressure, air.advection, air.sides);
+    let built_with =
+        |air: &Air| (air.origin_m, air.size_m, air.cells, air.pressure, air.advection, air.heat_advection, air.sides);
     built_with(a) == built_with(b)
 }
 

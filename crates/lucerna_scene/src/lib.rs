@@ -26,6 +26,8 @@ mod validate;
 pub use builtin::{builtin, builtin_names};
 pub use error::SceneError;
 pub use load::{load, open, parse};
-pub use model::{Air, AirAdvection, AirSides, Fire, LoadedScene, MeshSource, Pressure, Scene, WickSource};
+pub use model::{
+    Air, AirAdvection, AirSides, Fire, HeatAdvection, LoadedScene, MeshSource, Pressure, Scene, WickSource,
+};
 pub use presets::{apply_preset, presets};
 pub use validate::validate;

@@ -68,6 +68,21 @@ pub enum AirAdvection {
     Cubic,
 }
 
+/// How the air carries its heat.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum HeatAdvection {
+    /// From where the air was a step ago: the fastest; a few per cent of the heat get lost or made on the way.
+    #[default]
+    SemiLagrangian,
+    /// Through the faces of the cells: heat put in is heat found, which is what measurements need.
+    Flux,
+    /// As semi-Lagrangian, and its error estimated and taken out again.
+    MacCormack,
+    /// From where the air was, by monotone cubics.
+    Cubic,
+}
+
 /// The air around the fires.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -93,6 +108,9 @@ pub struct Air {
     /// How the velocity is carried along.
     #[serde(default)]
     pub advection: AirAdvection,
+    /// How the heat is carried along.
+    #[serde(default)]
+    pub heat_advection: HeatAdvection,
     /// Which sides are closed.
     #[serde(default)]
     pub sides: AirSides,

@@ -2,7 +2,7 @@
 
 use super::widgets::{choice, log_slider, pick, section, slider, vector};
 use egui::Ui;
-use lucerna::scene::{Air, AirAdvection, AirSides, Pressure};
+use lucerna::scene::{Air, AirAdvection, AirSides, HeatAdvection, Pressure};
 
 pub(super) fn show(ui: &mut Ui, air: &mut Air) {
     section(ui, "Air", false, |ui| {
@@ -41,6 +41,14 @@ pub(super) fn show(ui: &mut Ui, air: &mut Air) {
         let tooltip =
             "How the air carries its own motion: semi-Lagrangian is the fastest, with reflection eddies live longest.";
         choice(ui, &mut air.advection, &schemes, "Advection", tooltip);
+        let schemes = [
+            ("semi-Lagrangian", HeatAdvection::SemiLagrangian),
+            ("flux", HeatAdvection::Flux),
+            ("MacCormack", HeatAdvection::MacCormack),
+            ("cubic", HeatAdvection::Cubic),
+        ];
+        let tooltip = "How the air carries its heat: semi-Lagrangian is the fastest, with flux no heat is lost or made on the way.";
+        choice(ui, &mut air.heat_advection, &schemes, "Heat", tooltip);
         pressure(ui, &mut air.pressure);
     });
 }
