@@ -38,20 +38,17 @@ pub(crate) fn for_planes<T: Send>(
     plane: usize,
     work: impl Fn(usize, &mut [T]) + Sync + Send,
 ) {
+    // One closure for both, so that it is compiled once.
+    let one = |(k, values): (usize, &mut [T])| {
+        exec.simd.run(
+            #[inline(always)]
+            || work(k, values),
+        );
+    };
     if exec.is_parallel {
-        data.par_chunks_mut(plane).enumerate().for_each(|(k, values)| {
-            exec.simd.run(
-                #[inline(always)]
-                || work(k, values),
-            );
-        });
+        data.par_chunks_mut(plane).enumerate().for_each(one);
     } else {
-        data.chunks_mut(plane).enumerate().for_each(|(k, values)| {
-            exec.simd.run(
-                #[inline(always)]
-                || work(k, values),
-            );
-        });
+        data.chunks_mut(plane).enumerate().for_each(one);
     }
 }
 
@@ -64,22 +61,16 @@ pub(crate) fn reduce_planes<T: Send>(
     work: impl Fn(usize, &mut [T]) -> Partial + Sync + Send,
 ) -> Partial {
     let planes = data.len() / plane;
+    let one = |(k, (values, partial)): (usize, (&mut [T], &mut Partial))| {
+        *partial = exec.simd.run(
+            #[inline(always)]
+            || work(k, values),
+        );
+    };
     if exec.is_parallel {
-        let shared = data.par_chunks_mut(plane).zip(partials.par_iter_mut()).enumerate();
-        shared.for_each(|(k, (values, partial))| {
-            *partial = exec.simd.run(
-                #[inline(always)]
-                || work(k, values),
-            );
-        });
+        data.par_chunks_mut(plane).zip(partials.par_iter_mut()).enumerate().for_each(one);
     } else {
-        let planes = data.chunks_mut(plane).zip(partials.iter_mut()).enumerate();
-        planes.for_each(|(k, (values, partial))| {
-            *partial = exec.simd.run(
-                #[inline(always)]
-                || work(k, values),
-            );
-        });
+        data.chunks_mut(plane).zip(partials.iter_mut()).enumerate().for_each(one);
     }
     Partial::combine(&partials[..planes])
 }
@@ -132,12 +123,13 @@ pub(crate) fn run_planes<T: Send, K: PlaneKernel<T>>(
     kernel: &K,
 ) -> Partial {
     let planes = data.len() / plane;
+    let one = |(k, (out, partial)): (usize, (&mut [T], &mut Partial))| {
+        *partial = exec.simd.run_kernel(OnePlane { kernel, k, out });
+    };
     if exec.is_parallel {
-        let shared = data.par_chunks_mut(plane).zip(partials.par_iter_mut()).enumerate();
-        shared.for_each(|(k, (out, partial))| *partial = exec.simd.run_kernel(OnePlane { kernel, k, out }));
+        data.par_chunks_mut(plane).zip(partials.par_iter_mut()).enumerate().for_each(one);
     } else {
-        let planes = data.chunks_mut(plane).zip(partials.iter_mut()).enumerate();
-        planes.for_each(|(k, (out, partial))| *partial = exec.simd.run_kernel(OnePlane { kernel, k, out }));
+        data.chunks_mut(plane).zip(partials.iter_mut()).enumerate().for_each(one);
     }
     Partial::combine(&partials[..planes])
 }

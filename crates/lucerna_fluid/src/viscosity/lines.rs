@@ -78,31 +78,23 @@ pub(crate) fn solve_transposed<'a>(
     walls: [Wall<'_>; 2],
 ) {
     // Clearing a long buffer for short lines would cost more than solving them.
-    if nx <= 40 {
-        solve_blocks::<40>(plane, nx, inner, from, line, walls);
+    let (mut short, mut middle, mut long);
+    let turned: &mut [[f32; LANES]] = if nx <= 40 {
+        short = [[0.0; LANES]; 40];
+        &mut short[..nx]
     } else if nx <= 136 {
-        solve_blocks::<136>(plane, nx, inner, from, line, walls);
+        middle = [[0.0; LANES]; 136];
+        &mut middle[..nx]
     } else {
-        solve_blocks::<{ MAX_AXIS_CELLS + 1 }>(plane, nx, inner, from, line, walls);
-    }
-}
-
-#[inline(always)]
-fn solve_blocks<'a, const LONGEST: usize>(
-    plane: &mut [f32],
-    nx: usize,
-    inner: Range<usize>,
-    from: impl Fn(usize) -> &'a [f32],
-    line: &Line,
-    walls: [Wall<'_>; 2],
-) {
-    let mut turned = [[0.0_f32; LANES]; LONGEST];
+        long = [[0.0; LANES]; MAX_AXIS_CELLS + 1];
+        &mut long[..nx]
+    };
     let end = inner.end;
     for first in inner.step_by(LANES) {
         let lanes = LANES.min(end - first);
         // Lanes beyond the last row repeat it.
         let rows: [&[f32]; LANES] = std::array::from_fn(|lane| from(first + lane.min(lanes - 1)));
-        turn_in(&rows, &mut turned[..nx]);
+        turn_in(&rows, turned);
         let mut held = [[0.0; LANES]; 2];
         for (held, wall) in held.iter_mut().zip(walls) {
             match wall {
@@ -111,8 +103,8 @@ fn solve_blocks<'a, const LONGEST: usize>(
             }
         }
         let walls = [Wall::Each(&held[0]), Wall::Each(&held[1])];
-        solve_rows(turned[..nx].as_flattened_mut(), LANES, line, walls);
-        turn_out(&turned[..nx], &mut plane[first * nx..(first + lanes) * nx]);
+        solve_rows(turned.as_flattened_mut(), LANES, line, walls);
+        turn_out(turned, &mut plane[first * nx..(first + lanes) * nx]);
     }
 }
 

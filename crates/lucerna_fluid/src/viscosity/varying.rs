@@ -73,21 +73,17 @@ impl Varying<'_> {
     #[inline(always)]
     pub(crate) fn solve(self, axis: Axis, job: &Job<'_>, out: &mut [f32], out_at: Bundle) {
         // Clearing long buffers for short lines would cost more than solving them.
-        if axis.count < 40 {
-            self.solve_blocks::<40>(axis, job, out, out_at);
+        let (mut short, mut middle, mut long);
+        let [values, links, back, circle]: [&mut [Lanes]; 4] = if axis.count < 40 {
+            short = [[[0.0; LANES]; 40]; 4];
+            short.each_mut().map(|buffer| &mut buffer[..])
         } else if axis.count < 136 {
-            self.solve_blocks::<136>(axis, job, out, out_at);
+            middle = [[[0.0; LANES]; 136]; 4];
+            middle.each_mut().map(|buffer| &mut buffer[..])
         } else {
-            self.solve_blocks::<{ MAX_AXIS_CELLS + 2 }>(axis, job, out, out_at);
-        }
-    }
-
-    #[inline(always)]
-    fn solve_blocks<const LONGEST: usize>(self, axis: Axis, job: &Job<'_>, out: &mut [f32], out_at: Bundle) {
-        let mut values = [[0.0_f32; LANES]; LONGEST];
-        let mut links = [[0.0_f32; LANES]; LONGEST];
-        let mut back = [[0.0_f32; LANES]; LONGEST];
-        let mut circle = [[0.0_f32; LANES]; LONGEST];
+            long = [[[0.0; LANES]; MAX_AXIS_CELLS + 2]; 4];
+            long.each_mut().map(|buffer| &mut buffer[..])
+        };
         let count = axis.count;
         for start in (0..job.field_at.lines).step_by(LANES) {
             let lines = start..(start + LANES).min(job.field_at.lines);
@@ -95,7 +91,7 @@ impl Varying<'_> {
             let from = job.from.unwrap_or(out);
             let ends = self.prepare(axis, job, from, &lines, &mut values[..count], &mut links[..=count]);
             let free = |node: usize| self.free(job, &lines, node);
-            let last_weight = eliminate(axis, &ends, free, &mut values[..count], &links, &mut back, &mut circle);
+            let last_weight = eliminate(axis, &ends, free, &mut values[..count], links, back, circle);
             for node in (0..count - 1).rev() {
                 let (low, high) = values.split_at_mut(node + 1);
                 for lane in 0..LANES {
@@ -108,7 +104,7 @@ impl Varying<'_> {
                         circle[node][lane] += back[node][lane] * circle[node + 1][lane];
                     }
                 }
-                close(&last_weight, &mut values[..count], &circle);
+                close(&last_weight, &mut values[..count], circle);
             }
             for (node, values) in values[..count].iter().enumerate() {
                 let first = out_at.first + out_at.along * node + out_at.across * lines.start;
