@@ -3,16 +3,23 @@
 use crate::{MAX_WEIGHT, MIN_WEIGHT, NurbsError, Real};
 
 pub(crate) fn points<T: Real, const D: usize>(points: &[[T; D]], expected: usize) -> Result<(), NurbsError> {
-    if points.len() != expected {
-        return Err(NurbsError::PointCount { found: points.len(), expected });
-    }
-    let limit = T::MAX / T::from_f64(8.0);
+    length(points.len(), expected)?;
+    let limit = point_limit();
     for (index, point) in points.iter().enumerate() {
         if let Some(axis) = point.iter().position(|&x| !is_within(x, limit)) {
             return Err(NurbsError::PointValue { index, axis, value: point[axis].to_f64(), limit: limit.to_f64() });
         }
     }
     Ok(())
+}
+
+/// The largest magnitude of a coordinate: sums of a few do not overflow.
+pub(crate) fn point_limit<T: Real>() -> T {
+    T::MAX / T::from_f64(8.0)
+}
+
+pub(crate) fn length(found: usize, expected: usize) -> Result<(), NurbsError> {
+    if found == expected { Ok(()) } else { Err(NurbsError::PointCount { found, expected }) }
 }
 
 pub(crate) fn weights<T: Real>(weights: &[T], expected: usize) -> Result<(), NurbsError> {

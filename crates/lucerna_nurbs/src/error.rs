@@ -163,6 +163,26 @@ pub enum NurbsError {
         /// The most.
         max: usize,
     },
+    /// An output is too short for the mesh.
+    #[error("room for {found} vertices: {needed} are needed")]
+    Room {
+        /// The number of vertices that fit in.
+        found: usize,
+        /// The number of vertices of the mesh.
+        needed: usize,
+    },
+    /// An attribute of a vertex reaches into the next one.
+    #[error("{name} takes {len} scalars from {offset} on: it must end within the stride of {stride}")]
+    Layout {
+        /// `"position"`, `"normal"`, `"uv"` or `"vertex"`.
+        name: &'static str,
+        /// Where it starts.
+        offset: usize,
+        /// Its length.
+        len: usize,
+        /// Scalars from one vertex to the next.
+        stride: usize,
+    },
     /// The control row at which a closed grid shall start does not exist.
     #[error("start row {row}: it must be below {count}, the number of distinct control rows")]
     StartRow {

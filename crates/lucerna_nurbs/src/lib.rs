@@ -72,6 +72,7 @@ mod error;
 mod knots;
 mod plan;
 mod real;
+mod simd;
 mod strip;
 mod surface;
 mod vector;
@@ -81,8 +82,11 @@ pub use curve::Curve;
 pub use edit::Direction;
 pub use error::NurbsError;
 pub use knots::KnotVector;
-pub use plan::{Closure, GridOptions, GridPlan, GridVertex, Scratch, cells_for_error};
+pub use plan::{
+    Closure, GridLayout, GridOptions, GridOutput, GridPlan, GridVertex, Interleaved, Scratch, cells_for_error,
+};
 pub use real::Real;
+pub use simd::SimdLevel;
 pub use surface::{Surface, SurfaceDerivatives};
 
 /// The highest degree, and the highest order of derivatives, that is accepted.

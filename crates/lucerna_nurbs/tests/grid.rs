@@ -73,24 +73,6 @@ fn a_plan_gives_the_surface_point_by_point() {
 }
 
 #[test]
-fn evaluation_allocates_nothing_after_the_first_time() {
-    let around = KnotVector::<f32>::periodic(3, 9).unwrap();
-    let along = KnotVector::clamped_uniform(3, 8).unwrap();
-    let options = GridOptions { closure_u: Closure::Periodic { start_row: 0 }, ..GridOptions::default() };
-    let plan = GridPlan::new(&around, &along, options).unwrap();
-    let small = GridPlan::new(&around, &along, GridOptions { rows: 7, columns: 9, ..options });
-    let (points, weights) = tube::<f32>(9, 8);
-    let mut scratch = plan.scratch();
-    let capacity = scratch.capacity();
-    for plan in [&plan, &small.unwrap(), &plan] {
-        for weights in [Some(&weights[..]), None] {
-            plan.evaluate(&points, weights, &mut scratch, |_, _| ()).unwrap();
-            assert_eq!(scratch.capacity(), capacity);
-        }
-    }
-}
-
-#[test]
 fn scratch_that_was_used_for_another_plan_changes_nothing() {
     let around = KnotVector::<f32>::periodic(3, 9).unwrap();
     let along = KnotVector::clamped_uniform(3, 8).unwrap();

@@ -16,6 +16,8 @@ pub(super) struct Axis<T> {
     pub(super) points_repeated: usize,
     /// Whether the samples start and end in different places.
     pub(super) open: bool,
+    /// All distinct control points, or the first `width` where these are more.
+    pub(super) all: Vec<usize>,
     /// The place of each sample, 0 to 1.
     pub(super) places: Vec<T>,
     indices: Vec<usize>,
@@ -101,6 +103,7 @@ impl<T: Real> Axis<T> {
             points,
             points_repeated: knots.count(),
             open: closure == Closure::Open,
+            all: (0..points.max(knots.degree() + 1)).collect(),
             places: Vec::new(),
             indices: Vec::new(),
             values: Vec::new(),

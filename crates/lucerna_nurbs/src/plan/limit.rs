@@ -1,8 +1,9 @@
 //! Normals where the product of the tangents vanishes.
 
+use super::GridPlan;
+use super::axis::Axis;
 use super::axis::Sample;
-use super::evaluate::Net;
-use super::{Axis, GridPlan};
+use super::net::Net;
 use crate::Real;
 use crate::vector::{add_scaled, cross, largest, scale, sub, unit, unit_cross};
 
@@ -20,12 +21,38 @@ struct Jet<T> {
 }
 
 impl<T: Real> GridPlan<T> {
+    /// Computes anew the normals of row `j` from vertex `start` on that are not marked as good.
+    #[cold]
+    pub(super) fn repair(&self, net: &Net<'_, T>, start: usize, j: usize, good: u64, row: &mut [[T; 8]]) {
+        for (lane, vertex) in row.iter_mut().enumerate().take(64) {
+            if good >> lane & 1 == 0 {
+                let [x, y, z] = self.limit_normal(net, start + lane, j);
+                (vertex[4], vertex[5], vertex[6]) = (x, y, z);
+            }
+        }
+    }
+
+    /// The control point into which row `j` collapses, when it does.
+    pub(super) fn collapsed(&self, net: &Net<'_, T>, j: usize) -> Option<[T; 3]> {
+        let column = self.v.only_point(j)?;
+        let first = net.points[column];
+        let mut rest = net.points[column..].iter().step_by(net.n_v);
+        rest.all(|&point| point == first).then_some(first)
+    }
+
+    /// The place of sample `i` of row `j`.
+    pub(super) fn position(&self, net: &Net<'_, T>, i: usize, j: usize) -> [T; 3] {
+        let mut position = net.origin;
+        add_scaled(&mut position, &self.jet(net, self.u.sample(i), self.v.sample(j)).s, net.size);
+        position
+    }
+
     /// The normal of vertex `i` of row `j` when the fast one cannot be trusted, or is at a pole.
     pub(super) fn limit_normal(&self, net: &Net<'_, T>, i: usize, j: usize) -> [T; 3] {
         let first = j == 0 && self.v.open;
         let last = j == self.options.rows && self.v.open;
         let pole = (first && self.options.pole_v_min) || (last && self.options.pole_v_max);
-        let axis = self.middle.as_ref().filter(|_| pole).unwrap_or(&self.u);
+        let axis = self.middle.as_ref().filter(|_| pole).map_or(&self.u, |middle| &middle.axis);
         let jet = self.jet(net, axis.sample(i), self.v.sample(j));
         let left = i == 0 && self.u.open && !pole;
         let right = i == self.options.columns && self.u.open && !pole;

@@ -1,17 +1,23 @@
 //! Uniform grids: tables and topology made once, evaluated for any number of nets.
 
 mod axis;
+mod blocks;
 mod evaluate;
 mod kernels;
 mod limit;
+mod net;
+mod output;
 mod topology;
 
-pub use evaluate::{GridVertex, Scratch};
+pub use evaluate::Scratch;
+pub use output::{GridLayout, GridOutput, GridVertex, Interleaved};
 
 use alloc::vec::Vec;
 
-use crate::{KnotVector, NurbsError, Real};
+use crate::{KnotVector, NurbsError, Real, SimdLevel};
 use axis::Axis;
+use blocks::Blocks;
+use fearless_simd::{Simd, SimdBase, dispatch};
 
 /// How a direction of the grid ends.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -102,11 +108,20 @@ impl Default for GridOptions {
 #[derive(Clone, Debug)]
 pub struct GridPlan<T> {
     options: GridOptions,
+    level: SimdLevel,
     u: Axis<T>,
+    blocks: Blocks<T>,
     v: Axis<T>,
     /// The middles of the columns, when there is a pole.
-    middle: Option<Axis<T>>,
+    middle: Option<Middle<T>>,
     indices: Vec<u32>,
+}
+
+/// Samples at the middles of the columns.
+#[derive(Clone, Debug)]
+struct Middle<T> {
+    axis: Axis<T>,
+    blocks: Blocks<T>,
 }
 
 impl<T: Real> GridPlan<T> {
@@ -146,14 +161,32 @@ impl<T: Real> GridPlan<T> {
         at_most("vertices", side * (options.rows + 1), Self::MAX_VERTICES)?;
         at_most("control points along v times columns", side * knots_v.count(), Self::MAX_VERTICES)?;
 
+        let level = SimdLevel::Best;
+        let lanes = lanes::<T>(level);
         let middle = if pole { Some(Axis::middles(knots_u, options.columns, options.closure_u)?) } else { None };
+        let u = Axis::corners(knots_u, options.columns, options.closure_u)?;
         Ok(Self {
-            u: Axis::corners(knots_u, options.columns, options.closure_u)?,
+            level,
+            blocks: Blocks::new(&u, lanes),
+            u,
             v: Axis::corners(knots_v, options.rows, options.closure_v)?,
-            middle,
+            middle: middle.map(|axis| Middle { blocks: Blocks::new(&axis, lanes), axis }),
             indices: topology::triangles(&options),
             options,
         })
+    }
+
+    /// The same plan with other vector instructions than the best that the machine has, for
+    /// comparison. The meshes are the same, bit for bit.
+    #[must_use]
+    pub fn with_simd(mut self, level: SimdLevel) -> Self {
+        let lanes = lanes::<T>(level);
+        self.level = level;
+        self.blocks = Blocks::new(&self.u, lanes);
+        if let Some(middle) = &mut self.middle {
+            middle.blocks = Blocks::new(&middle.axis, lanes);
+        }
+        self
     }
 
     /// What the plan was made from.
@@ -176,6 +209,14 @@ impl<T: Real> GridPlan<T> {
     pub fn point_count(&self) -> usize {
         self.u.points * self.v.points
     }
+}
+
+/// Scalars in the widest vector of a level.
+fn lanes<T: Real>(level: SimdLevel) -> usize {
+    fn lanes<T: Real, S: Simd>(_: S) -> usize {
+        T::Native::<S>::LEN
+    }
+    dispatch!(level.level(), simd => lanes::<T, _>(simd))
 }
 
 /// The number of grid cells, around or along a rounded shape of extent `size`, that keeps the

@@ -15,8 +15,13 @@ pub(super) fn row_start(options: &GridOptions, j: usize) -> usize {
     j * (options.columns + 1) - usize::from(j > 0 && options.pole_v_min)
 }
 
+/// The index behind the last vertex of row `j`.
+pub(super) fn row_end(options: &GridOptions, j: usize) -> usize {
+    row_start(options, j) + row_len(options, j)
+}
+
 pub(super) fn vertex_count(options: &GridOptions) -> usize {
-    row_start(options, options.rows) + row_len(options, options.rows)
+    row_end(options, options.rows)
 }
 
 /// Triangles, counter-clockwise seen against dS/du x dS/dv.

@@ -43,7 +43,7 @@ impl<T: Real> Strip<T> {
             }
         }
         let share = T::from_usize(p + 1);
-        data.iter_mut().for_each(|x| *x = *x / share);
+        data.iter_mut().for_each(|x| *x /= share);
         (self.degree, self.knots, self.data) = (p + 1, raised, data);
     }
 
