@@ -71,6 +71,24 @@ impl<T: Real, const D: usize> Curve<T, D> {
         self.weights.as_deref()
     }
 
+    /// The curve with every control point mapped. An affine map (moving, turning, scaling, shearing)
+    /// takes the curve along; other maps bend it in ways of their own.
+    ///
+    /// ```
+    /// use lucerna_nurbs::Curve;
+    ///
+    /// let line = Curve::line([0.0, 0.0], [1.0, 2.0])?.map_points(|[x, y]| [3.0 - y, x])?;
+    /// assert_eq!(line.points(), [[3.0, 0.0], [1.0, 1.0]]);
+    /// # Ok::<(), lucerna_nurbs::NurbsError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// When a mapped coordinate is not finite.
+    pub fn map_points(&self, map: impl FnMut([T; D]) -> [T; D]) -> Result<Self, NurbsError> {
+        let points = self.points.iter().copied().map(map).collect();
+        Self::new(self.knots.clone(), points, self.weights.clone())
+    }
+
     /// The parameters between which the curve is defined.
     pub fn domain(&self) -> (T, T) {
         self.knots.domain()

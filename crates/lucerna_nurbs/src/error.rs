@@ -202,6 +202,72 @@ pub enum NurbsError {
         /// Its value.
         value: f64,
     },
+    /// The number of parameters is not the number of points along their direction.
+    #[error("{found} parameters {name}: {expected} are needed")]
+    ParameterCount {
+        /// `"u"`, `"v"` or `"t"`.
+        name: &'static str,
+        /// The number of parameters given.
+        found: usize,
+        /// The number that fits.
+        expected: usize,
+    },
+    /// The parameters of points do not rise.
+    #[error("parameter {name} number {index} is {value}, the one before it {previous}: parameters of points must rise")]
+    ParameterOrder {
+        /// `"u"`, `"v"` or `"t"`.
+        name: &'static str,
+        /// The index of the parameter.
+        index: usize,
+        /// The parameter.
+        value: f64,
+        /// The parameter before it.
+        previous: f64,
+    },
+    /// All points are the same, so that distances do not tell them apart.
+    #[error("all points coincide: parameters by distance need points that differ")]
+    Coincident,
+    /// More control points were asked for than there are points to fit.
+    #[error("{found} control points for {max} points to fit: there can be at most as many")]
+    FitCount {
+        /// The number of control points asked for.
+        found: usize,
+        /// The number of points given.
+        max: usize,
+    },
+    /// The points to fit leave a control point undetermined.
+    #[error("control point {index} is not determined: too few of the parameters lie near it")]
+    Undetermined {
+        /// The index of the control point in its direction.
+        index: usize,
+    },
+    /// What shall be met exactly cannot be, or is asked for twice.
+    #[error("the exact samples contradict or repeat each other")]
+    Contradiction,
+    /// An angle is out of range.
+    #[error("the angle {name} is {value}: it must be above 0 and at most 2 pi")]
+    Angle {
+        /// Which angle.
+        name: &'static str,
+        /// The angle in radians.
+        value: f64,
+    },
+    /// A vector that must have a direction has none.
+    #[error("the vector {name} has no direction: it must be finite and not zero")]
+    NoDirection {
+        /// Which vector.
+        name: &'static str,
+    },
+    /// Too few curves to lay a surface through.
+    #[error("{found} sections: degree {degree} across them needs at least {needed}")]
+    Sections {
+        /// The number of curves given.
+        found: usize,
+        /// The degree across them.
+        degree: usize,
+        /// The least number.
+        needed: usize,
+    },
     /// The surface has no tangent plane at a parameter.
     #[error("no normal at u = {u}, v = {v}: the surface is degenerate there")]
     NoNormal {

@@ -199,6 +199,11 @@ impl<T: Real> KnotVector<T> {
         Ok(if inside >= lo && inside < hi { inside } else { lo })
     }
 
+    /// The same knots in `f64`.
+    pub(crate) fn to_f64(&self) -> KnotVector<f64> {
+        KnotVector { degree: self.degree, knots: self.knots.iter().map(|knot| knot.to_f64()).collect() }
+    }
+
     /// The knots that run the other way on the same domain.
     pub(crate) fn reverse(&self) -> Result<Self, NurbsError> {
         let (lo, hi) = self.domain();

@@ -9,6 +9,10 @@
 //!   (A3.1, A3.2, A3.5, A3.6, A4.1 to A4.4); normals that are also right where an edge collapses.
 //! * Editing that leaves the shape where it is: knots inserted and removed, degrees raised, parts cut
 //!   out, Bezier pieces (A5.1 to A5.9), directions reversed and exchanged, curves on surfaces.
+//! * Shapes: arcs (A7.1), surfaces of revolution (A8.1), extruded, ruled and lofted ones; spheres,
+//!   tori, cylinders.
+//! * Curves and surfaces through points and near them (A9.1 to A9.7), with parameters by [`Spacing`].
+//! * The closest point, the global one; bounding boxes.
 //! * [`GridPlan`]: everything about a uniform grid that does not depend on the control points,
 //!   computed once and shared by all surfaces of that size.
 //!
@@ -65,22 +69,30 @@ extern crate alloc;
 extern crate std;
 
 mod basis;
+mod bounds;
 mod check;
+mod closest;
 mod curve;
 mod edit;
 mod error;
+mod fit;
 mod knots;
+mod patch;
 mod plan;
 mod real;
+mod shapes;
 mod simd;
 mod strip;
 mod surface;
 mod vector;
 
 pub use basis::Basis;
+pub use bounds::Bounds;
+pub use closest::{CurvePoint, SurfacePoint};
 pub use curve::Curve;
 pub use edit::Direction;
 pub use error::NurbsError;
+pub use fit::{FitSample, Spacing};
 pub use knots::KnotVector;
 pub use plan::{
     Closure, GridLayout, GridOptions, GridOutput, GridPlan, GridVertex, Interleaved, Scratch, cells_for_error,

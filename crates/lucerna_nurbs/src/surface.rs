@@ -60,7 +60,7 @@ impl<T: Real> Surface<T> {
         points: Vec<[T; 3]>,
         weights: Option<Vec<T>>,
     ) -> Result<Self, NurbsError> {
-        check::points(&points, knots_u.count() * knots_v.count())?;
+        check::points(&points, knots_u.count().saturating_mul(knots_v.count()))?;
         if let Some(weights) = &weights {
             check::weights(weights, points.len())?;
         }
@@ -121,6 +121,16 @@ impl<T: Real> Surface<T> {
     /// The weights in the order of the points, `None` when the surface is not rational.
     pub fn weights(&self) -> Option<&[T]> {
         self.weights.as_deref()
+    }
+
+    /// The surface with every control point mapped. An affine map (moving, turning, scaling,
+    /// shearing) takes the surface along; other maps bend it in ways of their own.
+    ///
+    /// # Errors
+    /// When a mapped coordinate is not finite.
+    pub fn map_points(&self, map: impl FnMut([T; 3]) -> [T; 3]) -> Result<Self, NurbsError> {
+        let points = self.points.iter().copied().map(map).collect();
+        Self::new(self.knots_u.clone(), self.knots_v.clone(), points, self.weights.clone())
     }
 
     /// The point at `(u, v)` (The NURBS Book, A3.5 and A4.3).

@@ -9,6 +9,12 @@ pub(crate) fn add_scaled<T: Real, const D: usize>(sum: &mut [T; D], a: &[T; D], 
     }
 }
 
+/// `a` for a `t` of 0, `b` for 1.
+#[inline]
+pub(crate) fn lerp<T: Real, const D: usize>(a: [T; D], b: [T; D], t: T) -> [T; D] {
+    core::array::from_fn(|axis| a[axis] + (b[axis] - a[axis]) * t)
+}
+
 #[inline]
 pub(crate) fn sub<T: Real>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]

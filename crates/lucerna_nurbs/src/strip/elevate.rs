@@ -2,7 +2,7 @@
 
 use alloc::{vec, vec::Vec};
 
-use super::Strip;
+use super::{Strip, lacking};
 use crate::Real;
 
 impl<T: Real> Strip<T> {
@@ -28,7 +28,7 @@ impl<T: Real> Strip<T> {
             let kept = |i: &usize| i % (p + 1) != skipped;
             let inner = (0..raised.len()).filter(kept).map(|i| raised[i]).filter(|&knot| lo < knot && knot < hi);
             let mut refined = self.clone();
-            refined.refine(&self.lacking(inner));
+            refined.refine(&lacking(&self.knots, inner));
             // Point `i` of the result belongs to the new knots behind number `i`; without the
             // skipped one they are `degree` in a row of the refined curve's.
             let at_start = (0..p + 2).filter(kept).count();
@@ -45,18 +45,5 @@ impl<T: Real> Strip<T> {
         let share = T::from_usize(p + 1);
         data.iter_mut().for_each(|x| *x /= share);
         (self.degree, self.knots, self.data) = (p + 1, raised, data);
-    }
-
-    /// The knots of `wanted`, nondecreasing, that are not there yet.
-    fn lacking(&self, wanted: impl Iterator<Item = T>) -> Vec<T> {
-        let mut have = self.knots.iter().peekable();
-        let mut lacking = Vec::new();
-        for knot in wanted {
-            while have.next_if(|&&other| other < knot).is_some() {}
-            if have.next_if(|&&other| other == knot).is_none() {
-                lacking.push(knot);
-            }
-        }
-        lacking
     }
 }

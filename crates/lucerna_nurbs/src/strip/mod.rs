@@ -83,6 +83,19 @@ fn within<T: Real>(w: T) -> T {
     }
 }
 
+/// What of `wanted` is not in `have`, each as often as it is missing; both do not decrease.
+pub(crate) fn lacking<T: Real>(have: &[T], wanted: impl Iterator<Item = T>) -> Vec<T> {
+    let mut have = have.iter().peekable();
+    let mut lacking = Vec::new();
+    for knot in wanted {
+        while have.next_if(|&&other| other < knot).is_some() {}
+        if have.next_if(|&&other| other == knot).is_none() {
+            lacking.push(knot);
+        }
+    }
+    lacking
+}
+
 /// Exchanges rows and columns of a net whose points are `parts` scalars each.
 pub(crate) fn transpose<T: Real>(data: &[T], columns: usize, parts: usize) -> Vec<T> {
     let rows = data.len() / (columns * parts);
