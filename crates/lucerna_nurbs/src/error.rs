@@ -151,10 +151,10 @@ pub enum NurbsError {
         /// The order asked for.
         order: usize,
     },
-    /// The number of cells of a grid is out of range.
+    /// A number, such as that of the cells of a grid, is out of range.
     #[error("{found} {name}: {min} to {max} are allowed")]
     Cells {
-        /// `"columns"`, `"rows"` or `"vertices"`.
+        /// What is counted, such as `"columns"`, `"rows"` or `"vertices"`.
         name: &'static str,
         /// The number asked for.
         found: usize,
@@ -194,6 +194,9 @@ pub enum NurbsError {
     /// Poles were declared in a direction that is closed.
     #[error("a pole was declared at an end of v, but v is closed: poles need `Closure::Open`")]
     PoleOnClosed,
+    /// A slit was declared where there can be none.
+    #[error("a slit was declared at an end of v: slits need a closed u, an open v and no pole at the same end")]
+    Slit,
     /// A tolerance or a size is not a positive number.
     #[error("{name} is {value}: it must be positive and finite")]
     NotPositive {

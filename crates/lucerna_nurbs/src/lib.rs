@@ -1,8 +1,8 @@
 //! NURBS curves and surfaces with exact normals and fast grid tessellation.
 //!
 //! Everything is generic over `f32` and `f64`, never panics on values a user can supply, and has
-//! no GPU types: coordinates are arrays, and a mesh goes to a closure that builds the caller's own
-//! vertices. Algorithm numbers are those of Piegl and Tiller, *The NURBS Book*, second edition.
+//! no GPU types: coordinates are arrays, and a mesh goes to the caller's own buffer of the caller's
+//! own vertices. Algorithm numbers are those of Piegl and Tiller, *The NURBS Book*, second edition.
 //!
 //! * [`KnotVector`]: knots, validated once; basis functions (A2.1 to A2.3).
 //! * [`Curve`], [`Surface`]: rational, of any degree up to [`MAX_DEGREE`]; points and derivatives
@@ -57,8 +57,9 @@
 //!
 //! # Features
 //!
-//! * `std` (on by default): square roots by the processor. Without it the crate needs an allocator
-//!   and nothing else of the platform.
+//! * `std` (on by default): square roots by the processor, and the best vector instructions that it
+//!   has. Without it the crate needs an allocator and nothing else of the platform.
+//! * `rayon`: [`GridPlan::evaluate_many`] on all processors.
 //!
 //! The least Rust version is 1.95.
 

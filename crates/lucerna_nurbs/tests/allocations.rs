@@ -39,3 +39,20 @@ fn a_mesh_computed_again_allocates_nothing() {
         assert!(sum.is_finite());
     }
 }
+
+#[test]
+fn many_meshes_computed_again_allocate_nothing() {
+    let knots = KnotVector::<f32>::clamped_uniform(3, 9).unwrap();
+    let plan = GridPlan::new(&knots, &knots, GridOptions::default()).unwrap();
+    let nets: Vec<[f32; 3]> = (0..5 * 81).map(|k| [(k / 9) as f32, (k % 9) as f32, (k as f32).sin()]).collect();
+    let mut scratches = vec![plan.scratch(); 3];
+    let mut meshes = vec![[0.0_f32; 8]; 5 * plan.vertex_count()];
+    let mut evaluate = || plan.evaluate_many(&nets, None, &mut scratches, &mut meshes[..]).unwrap();
+    evaluate();
+    // Tasks of a thread pool are not counted here.
+    if cfg!(not(feature = "rayon")) {
+        let allocated = measure(evaluate).count_total;
+        println!("{allocated} allocations in 5 meshes at once");
+        assert_eq!(allocated, 0);
+    }
+}

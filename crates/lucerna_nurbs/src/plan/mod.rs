@@ -5,6 +5,7 @@ mod blocks;
 mod evaluate;
 mod kernels;
 mod limit;
+mod many;
 mod net;
 mod output;
 mod topology;
@@ -49,7 +50,8 @@ pub enum Closure {
 pub struct GridOptions {
     /// Cells along u, at least 1, or 3 when u is closed; at most 8192.
     pub columns: usize,
-    /// Cells along v, at least 1, 2 with two poles, 3 when v is closed; at most 8192.
+    /// Cells along v, at least 1, 2 with poles or slits at both ends, 3 when v is closed; at most
+    /// 8192.
     pub rows: usize,
     /// How u ends.
     pub closure_u: Closure,
@@ -60,6 +62,12 @@ pub struct GridOptions {
     pub pole_v_min: bool,
     /// The same for the upper end of v.
     pub pole_v_max: bool,
+    /// The edge at the lower end of v runs forth and back through the same points, mirrored about
+    /// the first column: u is closed, but v is pinched to a slit. With an odd number of columns the
+    /// two in the middle meet there; no triangle is put between them.
+    pub slit_v_min: bool,
+    /// The same for the upper end of v.
+    pub slit_v_max: bool,
     /// Turns triangles and normals over, for nets that run the other way round; see
     /// [`GridPlan`] for the rule.
     pub flip: bool,
@@ -74,6 +82,8 @@ impl Default for GridOptions {
             closure_v: Closure::Open,
             pole_v_min: false,
             pole_v_max: false,
+            slit_v_min: false,
+            slit_v_max: false,
             flip: false,
         }
     }
@@ -134,14 +144,21 @@ impl<T: Real> GridPlan<T> {
     ///
     /// # Errors
     /// When the grid is too small or too large, a periodic closure is asked for on knots that do
-    /// not repeat, its start row does not exist, or poles are declared where v is closed.
+    /// not repeat, its start row does not exist, poles are declared where v is closed, or slits where
+    /// u is not, v is, or there is a pole.
     pub fn new(knots_u: &KnotVector<T>, knots_v: &KnotVector<T>, options: GridOptions) -> Result<Self, NurbsError> {
         let pole = options.pole_v_min || options.pole_v_max;
         if pole && options.closure_v != Closure::Open {
             return Err(NurbsError::PoleOnClosed);
         }
+        let slit = options.slit_v_min || options.slit_v_max;
+        let both = options.slit_v_min && options.pole_v_min || options.slit_v_max && options.pole_v_max;
+        if both || slit && (options.closure_u == Closure::Open || options.closure_v != Closure::Open) {
+            return Err(NurbsError::Slit);
+        }
         let least = |closure| if closure == Closure::Open { 1 } else { 3 };
-        let poles = usize::from(options.pole_v_min) + usize::from(options.pole_v_max);
+        let ends = usize::from(options.pole_v_min || options.slit_v_min)
+            + usize::from(options.pole_v_max || options.slit_v_max);
         let max = Self::MAX_CELLS;
         let cells = |name, found, min| {
             if (min..=max).contains(&found) {
@@ -150,7 +167,7 @@ impl<T: Real> GridPlan<T> {
             Err(NurbsError::Cells { name, found, min, max })
         };
         cells("columns", options.columns, least(options.closure_u))?;
-        cells("rows", options.rows, least(options.closure_v).max(poles))?;
+        cells("rows", options.rows, least(options.closure_v).max(ends))?;
         let at_most = |name, found, max| {
             if found <= max {
                 return Ok(());
@@ -202,6 +219,18 @@ impl<T: Real> GridPlan<T> {
     /// Three vertex indices for each triangle.
     pub fn indices(&self) -> &[u32] {
         &self.indices
+    }
+
+    /// The same indices in half the memory.
+    ///
+    /// # Errors
+    /// When there are more than 65,536 vertices.
+    pub fn indices_u16(&self) -> Result<Vec<u16>, NurbsError> {
+        let (found, max) = (self.vertex_count(), usize::from(u16::MAX) + 1);
+        if found > max {
+            return Err(NurbsError::Cells { name: "vertices", found, min: 1, max });
+        }
+        Ok(self.indices.iter().map(|&index| index as u16).collect())
     }
 
     /// The number of control points [`evaluate`](Self::evaluate) reads. Points repeated to close a

@@ -25,13 +25,41 @@ impl<T> From<[T; 8]> for GridVertex<T> {
 
 /// Takes the vertices of a mesh.
 ///
-/// Implement it for a buffer of your own vertices, or pass one of those below to
-/// [`GridPlan::evaluate_into`](crate::GridPlan::evaluate_into):
+/// Pass one of these to [`GridPlan::evaluate_into`](crate::GridPlan::evaluate_into), or your own:
 ///
 /// * `[[T; 8]]` takes the plain form `[x, y, z, u, nx, ny, nz, v]`, which is two `vec4` in a
 ///   shader. It is the fastest: vertices are written where they stay.
-/// * `[GridVertex<T>]`.
+/// * `[V]`, a slice of your own vertices, if these implement `From<GridVertex<T>>`.
 /// * [`Interleaved`]: numbers at a stride, with attributes where you want them.
+///
+/// ```
+/// use lucerna_nurbs::{GridOptions, GridPlan, GridVertex, KnotVector};
+///
+/// #[derive(Clone, Default)]
+/// struct Vertex {
+///     position: [f32; 3],
+///     colour: [u8; 4],
+/// }
+///
+/// impl From<GridVertex<f32>> for Vertex {
+///     fn from(vertex: GridVertex<f32>) -> Self {
+///         Self { position: vertex.position, colour: vertex.normal_colour() }
+///     }
+/// }
+/// # trait Colour { fn normal_colour(&self) -> [u8; 4]; }
+/// # impl Colour for GridVertex<f32> {
+/// #     fn normal_colour(&self) -> [u8; 4] { [(255.0 * self.normal[2]) as u8, 0, 0, 255] }
+/// # }
+///
+/// let knots = KnotVector::<f32>::clamped_uniform(1, 2)?;
+/// let plan = GridPlan::new(&knots, &knots, GridOptions { columns: 1, rows: 1, ..Default::default() })?;
+/// let net = [[0., 0., 0.], [0., 1., 0.], [1., 0., 0.], [1., 1., 0.]];
+/// let mut vertices = vec![Vertex::default(); plan.vertex_count()];
+/// plan.evaluate_into(&net, None, &mut plan.scratch(), &mut vertices[..])?;
+/// assert_eq!(vertices[3].position, [1.0, 1.0, 0.0]);
+/// assert_eq!(vertices[3].colour, [255, 0, 0, 255]);
+/// # Ok::<(), lucerna_nurbs::NurbsError>(())
+/// ```
 pub trait GridOutput<T: Real> {
     /// The number of vertices that fit in.
     fn room(&self) -> usize {
@@ -63,14 +91,14 @@ impl<T: Real> GridOutput<T> for [[T; 8]] {
     }
 }
 
-impl<T: Real> GridOutput<T> for [GridVertex<T>] {
+impl<T: Real, V: From<GridVertex<T>>> GridOutput<T> for [V] {
     fn room(&self) -> usize {
         self.len()
     }
 
     #[inline]
     fn vertex(&mut self, index: usize, vertex: GridVertex<T>) {
-        self[index] = vertex;
+        self[index] = vertex.into();
     }
 }
 

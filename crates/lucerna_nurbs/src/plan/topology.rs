@@ -41,8 +41,14 @@ pub(super) fn triangles(options: &GridOptions) -> Vec<u32> {
             } else if j + 1 == options.rows && options.pole_v_max {
                 push(low + i, low + i + 1, high + i);
             } else {
-                push(low + i, low + i + 1, high + i + 1);
-                push(low + i, high + i + 1, high + i);
+                // Where the two vertices of an edge meet, the triangle on it has no area.
+                let turn = 2 * i + 1 == options.columns;
+                if !(turn && j == 0 && options.slit_v_min) {
+                    push(low + i, low + i + 1, high + i + 1);
+                }
+                if !(turn && j + 1 == options.rows && options.slit_v_max) {
+                    push(low + i, high + i + 1, high + i);
+                }
             }
         }
     }
