@@ -21,6 +21,17 @@ use crate::{KnotVector, NurbsError, Real, basis, check};
 /// # Ok::<(), lucerna_nurbs::NurbsError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::serial::RawCurve<T, D>",
+        bound(
+            serialize = "T: serde::Serialize, [T; D]: serde::Serialize",
+            deserialize = "T: Real + serde::Deserialize<'de>, [T; D]: serde::Deserialize<'de>"
+        )
+    )
+)]
 pub struct Curve<T, const D: usize = 3> {
     knots: KnotVector<T>,
     points: Vec<[T; D]>,

@@ -20,6 +20,11 @@ use crate::{MAX_DEGREE, MAX_POINTS, NurbsError, Real, check};
 /// # Ok::<(), lucerna_nurbs::NurbsError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(try_from = "crate::serial::RawKnots<T>", bound(deserialize = "T: Real + serde::Deserialize<'de>"))
+)]
 pub struct KnotVector<T> {
     degree: usize,
     knots: Vec<T>,

@@ -60,6 +60,7 @@
 //! * `std` (on by default): square roots by the processor, and the best vector instructions that it
 //!   has. Without it the crate needs an allocator and nothing else of the platform.
 //! * `rayon`: [`GridPlan::evaluate_many`] on all processors.
+//! * `serde`: knots, curves, surfaces and options can be written and read; what is read is validated.
 //!
 //! The least Rust version is 1.95.
 
@@ -81,6 +82,8 @@ mod knots;
 mod patch;
 mod plan;
 mod real;
+#[cfg(feature = "serde")]
+mod serial;
 mod shapes;
 mod simd;
 mod strip;

@@ -4,7 +4,9 @@
 //! contracted into fused multiply-adds and no sum is reordered, so that all levels give the same
 //! bits.
 
-use fearless_simd::{Level, Simd, SimdBase, SimdFloatElement, f32x4, f32x8, f32x16, f64x2};
+use fearless_simd::{Level, Simd, SimdBase, SimdFloatElement, f32x4, f64x2};
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+use fearless_simd::{f32x8, f32x16};
 
 /// Which vector instructions a plan uses. All give the same bits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

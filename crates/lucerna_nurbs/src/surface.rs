@@ -21,12 +21,18 @@ use crate::{KnotVector, NurbsError, Real, basis, check};
 /// # Ok::<(), lucerna_nurbs::NurbsError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(try_from = "crate::serial::RawSurface<T>", bound(deserialize = "T: Real + serde::Deserialize<'de>"))
+)]
 pub struct Surface<T> {
     knots_u: KnotVector<T>,
     knots_v: KnotVector<T>,
     points: Vec<[T; 3]>,
     weights: Option<Vec<T>>,
     /// The largest coordinate of a control point, by magnitude.
+    #[cfg_attr(feature = "serde", serde(skip))]
     extent: T,
 }
 

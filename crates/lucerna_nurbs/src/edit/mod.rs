@@ -11,6 +11,7 @@ use crate::{KnotVector, MAX_DEGREE, MAX_WEIGHT, MIN_WEIGHT, NurbsError, Real};
 
 /// One of the two directions of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Direction {
     /// From row to row of the net.
     U,

@@ -6,6 +6,7 @@ use crate::{NurbsError, Real, check};
 
 /// How far apart the parameters of neighbouring points lie.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Spacing {
     /// Equally far, wherever the points are (equation 9.3).
     Even,

@@ -22,6 +22,7 @@ use fearless_simd::{Simd, SimdBase, dispatch};
 
 /// How a direction of the grid ends.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Closure {
     /// From one end of the domain to the other.
@@ -47,6 +48,7 @@ pub enum Closure {
 ///
 /// The default is 48 x 48 cells, open in both directions, without poles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
 pub struct GridOptions {
     /// Cells along u, at least 1, or 3 when u is closed; at most 8192.
     pub columns: usize,
