@@ -15,6 +15,6 @@ mod trace;
 pub(crate) use back::{Kind, Outside};
 pub(crate) use carrier::{Carrier, Job, Scheme};
 pub(crate) use carry::{pack, unpack};
-pub(crate) use energy::energy_plane;
+pub(crate) use energy::side_squares;
 pub(crate) use flux::{Flow, transport};
 pub use scheme::{Advection, ScalarAdvection, Trace};

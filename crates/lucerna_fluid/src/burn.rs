@@ -4,8 +4,7 @@ use crate::combustion::{CombustionReport, Emission, FUEL, OXYGEN, Reaction, SOOT
 use crate::density::{self, Density};
 use crate::fluid::{Fluid, State};
 use crate::forces;
-use crate::lanes::sum;
-use crate::parallel::{Partial, reduce};
+use crate::parallel::{Partial, reduce, scan_planes};
 use crate::pressure::Projected;
 use crate::scalars::{self, ScalarId};
 use crate::scratch::Scratch;
@@ -67,15 +66,8 @@ impl Fluid {
 
     /// Sum over the cells of what stands for temperature.
     fn temperature_sum(&self, scratch: &mut Scratch) -> f64 {
-        let (plane, values) = (self.grid.plane(), &self.state.temperature.data);
-        let partials = &mut scratch.partials[..self.grid.cells[2]];
-        reduce(
-            self.grid.exec,
-            partials,
-            #[inline(always)]
-            |k| Partial { sum: sum(&values[k * plane..(k + 1) * plane]), ..Partial::default() },
-        )
-        .sum
+        let grid = &self.grid;
+        scan_planes(grid.exec, &self.state.temperature.data, grid.plane(), &mut scratch.partials).sum
     }
 
     /// Adds heat and scalars; burns, radiates and cools.

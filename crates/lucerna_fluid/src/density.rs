@@ -4,9 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::field::Field;
 use crate::grid::Grid;
-use crate::lanes::highest;
 use crate::limits::MAX_EXPANSION_PER_S;
-use crate::parallel::{Partial, for_planes, reduce};
+use crate::parallel::{Partial, for_planes, scan_planes};
 use crate::sides::Side;
 use crate::source::{kelvin_from_share, share_from_kelvin};
 
@@ -90,14 +89,8 @@ pub(crate) fn weigh(grid: &Grid, pack: &mut [[f32; 4]], kelvin: &[f32], ambient_
 
 /// Greatest `rho_a / rho`, at least 1: the weight of the pressure that is solved for.
 pub(crate) fn lightest(grid: &Grid, kelvin: &[f32], ambient_k: f32, partials: &mut [Partial]) -> f32 {
-    let plane = grid.plane();
-    let hottest = reduce(
-        grid.exec,
-        &mut partials[..grid.cells[2]],
-        #[inline(always)]
-        |k| Partial { max: highest(&kelvin[k * plane..(k + 1) * plane]), ..Partial::default() },
-    );
-    1.0 + hottest.max / ambient_k
+    let hottest_k = scan_planes(grid.exec, kelvin, grid.plane(), partials).high;
+    1.0 + hottest_k / ambient_k
 }
 
 /// What the last step's pressure does beyond the part that is to be solved for: adds

@@ -5,12 +5,12 @@
 
 use glam::Vec3;
 
-use crate::advect::energy_plane;
+use crate::advect::side_squares;
 use crate::air::AIR_HEAT_CAPACITY_J_KG_K;
 use crate::error::{FluidError, check};
 use crate::field::Around;
 use crate::fluid::Fluid;
-use crate::lanes::{max_abs, sum};
+use crate::lanes::{scan, sum};
 use crate::limits::{BUOYANCY_RATIO, GRAVITY_M_S2, MAX_DT_S};
 use crate::pressure::{divergence_plane, slices};
 use crate::sides::Side;
@@ -21,8 +21,7 @@ impl Fluid {
     pub fn mean_kinetic_energy_m2_s2(&self) -> f64 {
         let squares = |axis: usize| {
             let field = &self.state.velocity[axis];
-            let planes = (0..field.counts[2]).map(|k| energy_plane(field, axis, k));
-            planes.sum::<f64>()
+            scan(self.grid.exec.simd, &field.data).squares - 0.5 * side_squares(field, axis)
         };
         0.5 * (squares(0) + squares(1) + squares(2)) / self.grid.count() as f64
     }
@@ -122,11 +121,11 @@ impl Fluid {
     /// A value that is not finite or out of range.
     pub fn dt_for_cfl(&self, cfl: f32) -> Result<f32, FluidError> {
         check("cfl", cfl, 1.0e-3, 1.0e3, "0.001 to 1000")?;
-        let hottest = max_abs(&self.state.temperature.data) / self.settings.ambient_k;
+        let hottest = scan(self.grid.exec.simd, &self.state.temperature.data).greatest() / self.settings.ambient_k;
         let lift = [0.0, GRAVITY_M_S2 * hottest.min(BUOYANCY_RATIO.1), 0.0];
         let mut dt_s = MAX_DT_S;
         for (axis, lift) in lift.into_iter().enumerate() {
-            let speed = max_abs(&self.state.velocity[axis].data);
+            let speed = scan(self.grid.exec.simd, &self.state.velocity[axis].data).greatest();
             let way = cfl * self.grid.cell_m[axis];
             // Positive root of `speed dt + lift dt² / 2 = way`, in the form that loses no digits.
             let root = (speed * speed + 2.0 * lift * way).sqrt();

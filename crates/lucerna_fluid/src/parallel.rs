@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use crate::lanes::scan;
 use crate::simd::{Kernel, Simd};
 
 /// How passes over the grid are run.
@@ -17,7 +18,10 @@ pub(crate) struct Execution {
 pub(crate) struct Partial {
     pub(crate) sum: f64,
     pub(crate) squares: f64,
-    pub(crate) max: f32,
+    /// Least value, or zero.
+    pub(crate) low: f32,
+    /// Greatest value, or zero.
+    pub(crate) high: f32,
 }
 
 impl Partial {
@@ -26,9 +30,29 @@ impl Partial {
         partials.iter().fold(Self::default(), |all, one| Self {
             sum: all.sum + one.sum,
             squares: all.squares + one.squares,
-            max: all.max.max(one.max),
+            low: all.low.min(one.low),
+            high: all.high.max(one.high),
         })
     }
+
+    /// Greatest magnitude.
+    pub(crate) fn greatest(&self) -> f32 {
+        self.high.max(-self.low)
+    }
+}
+
+/// Planes whose figures are taken together, so that small ones do not each take a call.
+pub(crate) fn planes_together(plane: usize) -> usize {
+    4096_usize.div_ceil(plane)
+}
+
+/// Sums and extremes of a field whose planes have `plane` values.
+pub(crate) fn scan_planes(exec: Execution, values: &[f32], plane: usize, partials: &mut [Partial]) -> Partial {
+    let together = plane * planes_together(plane);
+    reduce(exec, &mut partials[..values.len().div_ceil(together)], |group| {
+        let first = group * together;
+        scan(exec.simd, &values[first..values.len().min(first + together)])
+    })
 }
 
 /// Calls `work(k, plane)` for each run of `plane` values.
@@ -75,19 +99,18 @@ pub(crate) fn reduce_planes<T: Send>(
     Partial::combine(&partials[..planes])
 }
 
-/// Fills each plane's partial result without writing to a field. Returns their combination.
+/// Fills the partial result of each plane without writing to a field. Returns their
+/// combination.
 pub(crate) fn reduce(
     exec: Execution,
     partials: &mut [Partial],
     work: impl Fn(usize) -> Partial + Sync + Send,
 ) -> Partial {
-    for_planes(
-        exec,
-        partials,
-        1,
-        #[inline(always)]
-        |k, partial| partial.fill(work(k)),
-    );
+    if exec.is_parallel {
+        partials.par_iter_mut().enumerate().for_each(|(k, partial)| *partial = work(k));
+    } else {
+        partials.iter_mut().enumerate().for_each(|(k, partial)| *partial = work(k));
+    }
     Partial::combine(partials)
 }
 

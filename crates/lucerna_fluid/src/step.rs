@@ -6,9 +6,8 @@ use crate::advect::{pack, unpack};
 use crate::density::{self, Density};
 use crate::fluid::Fluid;
 use crate::forces;
-use crate::lanes::highest;
 use crate::obstacle::Solids;
-use crate::parallel::{Partial, reduce};
+use crate::parallel::scan_planes;
 use crate::pressure::Projected;
 use crate::report::{StageTimes, StepReport};
 use crate::scratch::Scratch;
@@ -152,14 +151,8 @@ impl Fluid {
 
     fn report(&mut self, scratch: &mut Scratch, dt_s: f32, projected: Projected) -> StepReport {
         let Self { grid, state, .. } = self;
-        let plane = grid.plane();
-        let max_temperature_k = reduce(
-            grid.exec,
-            &mut scratch.partials[..grid.cells[2]],
-            #[inline(always)]
-            |k| Partial { max: highest(&state.temperature.data[k * plane..(k + 1) * plane]), ..Partial::default() },
-        )
-        .max;
+        let temperature = &state.temperature.data;
+        let max_temperature_k = scan_planes(grid.exec, temperature, grid.plane(), &mut scratch.partials).high;
         let max_speed_m_s = projected.speeds.into_iter().fold(0.0, f32::max);
         self.max_speed_m_s = max_speed_m_s;
         let speed = max_speed_m_s.max(projected.speed_before);

@@ -8,6 +8,7 @@ use super::cubic::{self, Padded};
 use super::sample::{LANES, Lattice, V, active, blend, bounds, least, load, most, places, ramp, store};
 use super::trace::Ways;
 use crate::grid::Grid;
+use crate::lanes::total;
 use crate::parallel::{Partial, PlaneKernel};
 use crate::sides::{Profile, Side};
 
@@ -124,10 +125,11 @@ fn shares<S: Simd>(simd: S, beyond: [V<S>; 3]) -> V<S> {
 impl<const WRAPS: bool> PlaneKernel<f32> for Backward<'_, WRAPS> {
     #[inline(always)]
     fn plane<S: Simd>(&self, simd: S, k: usize, out: &mut [f32]) -> Partial {
-        let nx = self.counts[0];
+        let [nx, ny, _] = self.counts;
         let inlets = self.inlets();
-        let mut brought = 0.0_f64;
-        for (j, row) in out.chunks_exact_mut(nx).enumerate() {
+        let zero = V::splat(simd, 0.0);
+        let mut brought = zero;
+        for j in 0..ny {
             for block in 0..nx.div_ceil(LANES) {
                 let first = LANES * block;
                 let (_, at) = self.origins(simd, [first, j, k]);
@@ -139,19 +141,19 @@ impl<const WRAPS: bool> PlaneKernel<f32> for Backward<'_, WRAPS> {
                 };
                 if inlets.any && !places.are_inside(lanes) {
                     let beyond = inlets.beyond(simd, at);
-                    let zero = V::splat(simd, 0.0);
                     if (beyond[0] + beyond[1] + beyond[2]).simd_gt(zero).any_true() {
                         let share = shares(simd, beyond);
                         let outside = self.outside.values(simd, at);
                         values += share * (outside - values);
-                        let squares = share * outside * outside;
-                        brought += squares.as_array().iter().take(nx - first).map(|one| f64::from(*one)).sum::<f64>();
+                        let is_active = ramp(simd).simd_lt(V::splat(simd, (nx - first) as f32));
+                        brought += is_active.select(share * outside * outside, zero);
                     }
                 }
-                store(&mut row[first..], values);
+                // What is too much of a row, the next one overwrites.
+                store(&mut out[j * nx + first..], values);
             }
         }
-        Partial { sum: brought, ..Partial::default() }
+        Partial { sum: total(brought), ..Partial::default() }
     }
 }
 
@@ -170,7 +172,7 @@ impl<const WRAPS: bool> PlaneKernel<f32> for Correction<'_, WRAPS> {
     fn plane<S: Simd>(&self, simd: S, k: usize, out: &mut [f32]) -> Partial {
         let [nx, ny, _] = self.back.counts;
         let inlets = self.back.inlets();
-        for (j, row) in out.chunks_exact_mut(nx).enumerate() {
+        for j in 0..ny {
             for block in 0..nx.div_ceil(LANES) {
                 let first = LANES * block;
                 let lanes = active(nx, first);
@@ -191,7 +193,7 @@ impl<const WRAPS: bool> PlaneKernel<f32> for Correction<'_, WRAPS> {
                     let beyond = there[0] + there[1] + there[2] + here[0] + here[1] + here[2];
                     values = beyond.simd_gt(V::splat(simd, 0.0)).select(found, values);
                 }
-                store(&mut row[first..], values);
+                store(&mut out[j * nx + first..], values);
             }
         }
         Partial::default()

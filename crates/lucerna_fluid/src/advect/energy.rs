@@ -2,42 +2,32 @@
 
 use crate::field::Field;
 use crate::grid::Grid;
-use crate::lanes::sum_squares;
-use crate::parallel::{Partial, for_planes, reduce};
+use crate::parallel::{Partial, for_planes, scan_planes};
 
 /// Sum of the squared face velocities, those on the sides of the box counted half.
 pub(crate) fn energy(grid: &Grid, velocity: &[Field; 3], partials: &mut [Partial]) -> f64 {
     let mut total = 0.0;
     for (axis, field) in velocity.iter().enumerate() {
-        total += reduce(
-            grid.exec,
-            &mut partials[..field.counts[2]],
-            #[inline(always)]
-            |k| Partial { sum: energy_plane(field, axis, k), ..Partial::default() },
-        )
-        .sum;
+        let squares = scan_planes(grid.exec, &field.data, field.plane(), partials).squares;
+        total += squares - 0.5 * side_squares(field, axis);
     }
     total
 }
 
-/// The part of plane `k` of the component `axis` in [`energy`].
-#[inline(always)]
-pub(crate) fn energy_plane(field: &Field, axis: usize, k: usize) -> f64 {
-    let [nx, ny, nz] = field.counts;
+/// Sum of the squares of a component's first and last values along its own axis.
+pub(crate) fn side_squares(field: &Field, axis: usize) -> f64 {
+    let [nx, ny, _] = field.counts;
     let plane = nx * ny;
-    let values = &field.data[k * plane..(k + 1) * plane];
-    let mut sum = sum_squares(values);
+    let squares = |values: &[f32]| values.iter().map(|value| f64::from(value * value)).sum::<f64>();
     match axis {
-        0 => {
-            for row in values.chunks_exact(nx) {
-                sum -= 0.5 * f64::from(row[0] * row[0] + row[nx - 1] * row[nx - 1]);
-            }
-        }
-        1 => sum -= 0.5 * (sum_squares(&values[..nx]) + sum_squares(&values[plane - nx..])),
-        _ if k == 0 || k + 1 == nz => sum *= 0.5,
-        _ => {}
+        0 => field.data.chunks_exact(nx).map(|row| f64::from(row[0] * row[0] + row[nx - 1] * row[nx - 1])).sum(),
+        1 => field
+            .data
+            .chunks_exact(plane)
+            .map(|plane| squares(&plane[..nx]) + squares(&plane[plane.len() - nx..]))
+            .sum(),
+        _ => squares(&field.data[..plane]) + squares(&field.data[field.data.len() - plane..]),
     }
-    sum
 }
 
 /// Scales the velocity down where advection has made energy out of nothing: a flow free of

@@ -35,7 +35,7 @@ pub(crate) fn transport(
 ) {
     let per_speed = grid.cell_m.map(|edge| dt_s / edge);
     let whole = Pass { grid, flow, per_speed, outside, from: values };
-    let needed = run_planes(grid.exec, spare, grid.plane(), partials, &Parts(whole)).max;
+    let needed = run_planes(grid.exec, spare, grid.plane(), partials, &Parts(whole)).high;
     // Rounding must not divide what goes in one part.
     let parts = (needed - 1.0e-5).ceil().clamp(1.0, MAX_HEAT_STEPS);
     let scale = (1.0 / parts).min(1.0 / needed.max(1.0e-30));
@@ -199,19 +199,19 @@ impl PlaneKernel<f32> for Parts<'_> {
                 parts = most(needed, parts);
             }
         }
-        Partial { max: parts.as_array().iter().fold(0.0, |most, one| most.max(*one)), ..Partial::default() }
+        Partial { high: parts.as_array().iter().fold(0.0, |most, one| most.max(*one)), ..Partial::default() }
     }
 }
 
 impl PlaneKernel<f32> for Pass<'_> {
     #[inline(always)]
     fn plane<S: Simd>(&self, simd: S, k: usize, out: &mut [f32]) -> Partial {
-        let nx = self.grid.cells[0];
+        let [nx, ny, _] = self.grid.cells;
         let mut outside: Row = [0.0; MAX_AXIS_CELLS + 4 + 2 * LANES];
         outside[..nx].fill(self.outside.value);
         let mut padded: Row = [0.0; MAX_AXIS_CELLS + 4 + 2 * LANES];
         let k_at = k as isize;
-        for (j, out) in out.chunks_exact_mut(nx).enumerate() {
+        for j in 0..ny {
             let j_at = j as isize;
             let rows = [
                 self.row([j_at, k_at], &outside),
@@ -225,7 +225,7 @@ impl PlaneKernel<f32> for Pass<'_> {
                 self.row([j_at, k_at + 2], &outside),
             ];
             if !self.flow.thins && self.is_even(simd, &rows, self.outside.value) {
-                out.copy_from_slice(rows[0]);
+                out[j * nx..(j + 1) * nx].copy_from_slice(rows[0]);
                 continue;
             }
             padded[2..nx + 2].copy_from_slice(rows[0]);
@@ -256,7 +256,8 @@ impl PlaneKernel<f32> for Pass<'_> {
                 if self.flow.thins {
                     change += here * ((v_low - v_high) + ((u_low - u_high) + (w_low - w_high)));
                 }
-                store(&mut out[first..], here + change);
+                // What is too much of a row, the next one overwrites.
+                store(&mut out[j * nx + first..], here + change);
             }
         }
         Partial::default()

@@ -1,16 +1,15 @@
 //! What a projection measures before and after: divergence and speeds, in one pass.
 
+use fearless_simd::Simd;
 use rayon::prelude::*;
 
 use super::operators::divergence_plane;
 use crate::grid::Grid;
-use crate::simd::Simd;
+use crate::lanes::scan_with;
+use crate::parallel::{Partial, planes_together};
+use crate::simd::Kernel;
 
-/// Sums kept in `f32` before they go into an `f64`.
-const SUMMED: usize = 512;
-const LANES: usize = 8;
-
-/// Figures of a z-plane, or of the whole grid.
+/// Figures of some z-planes, or of the whole grid.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Figures {
     /// Of the divergence: sum, sum of squares, least and greatest value (or zero).
@@ -24,7 +23,7 @@ pub(crate) struct Figures {
 }
 
 impl Figures {
-    /// All planes, in order.
+    /// All groups of planes, in order.
     fn combine(planes: &[Self]) -> Self {
         planes.iter().fold(Self::default(), |all, one| Self {
             sum: all.sum + one.sum,
@@ -57,52 +56,104 @@ pub(crate) fn measure(
     divergence: &mut [f32],
     figures: &mut [Figures],
 ) -> Figures {
-    let [nx, ny, nz] = grid.cells;
-    let plane = grid.plane();
-    let [u, v, w] = velocity;
-    // In two parts, and first of all to what expands: the rest of great values that nearly cancel is exact.
-    let high = mean as f32;
-    let low = (mean - f64::from(high)) as f32;
-    for_planes_and_figures(
-        grid,
-        divergence,
-        figures,
-        #[inline(always)]
-        |k, out, figures| {
-            divergence_plane(grid, velocity, k, out);
-            if let Some(expansion) = expansion {
-                let rates = &expansion[k * plane..(k + 1) * plane];
-                out.iter_mut().zip(rates).for_each(|(value, rate)| *value -= (rate + high) + low);
-            } else if mean != 0.0 {
-                out.iter_mut().for_each(|value| *value = (*value - high) - low);
-            }
-            let of_divergence = scan(out);
-            let w_end = if k + 1 == nz { k + 2 } else { k + 1 };
-            let of_velocity = [
-                scan(&u[k * (nx + 1) * ny..(k + 1) * (nx + 1) * ny]),
-                scan(&v[k * nx * (ny + 1)..(k + 1) * nx * (ny + 1)]),
-                scan(&w[k * plane..w_end * plane]),
-            ];
-            *figures = Figures {
-                speed_squares: of_velocity.map(|scan| scan.squares),
-                speeds: of_velocity.map(|scan| scan.high.max(-scan.low)),
-                ..of_divergence
-            };
-        },
-    );
-    Figures::combine(&figures[..nz])
+    measure_with(&Pass { grid, velocity: Some(velocity), expansion, mean }, divergence, figures)
 }
 
 /// Measures a divergence that is already there. The speeds are left at zero.
 pub(crate) fn measure_divergence(grid: &Grid, divergence: &mut [f32], figures: &mut [Figures]) -> Figures {
-    for_planes_and_figures(
-        grid,
-        divergence,
-        figures,
-        #[inline(always)]
-        |_, values, figures| *figures = scan(values),
-    );
-    Figures::combine(&figures[..grid.cells[2]])
+    measure_with(&Pass { grid, velocity: None, expansion: None, mean: 0.0 }, divergence, figures)
+}
+
+fn measure_with(pass: &Pass<'_>, divergence: &mut [f32], figures: &mut [Figures]) -> Figures {
+    let Grid { exec, cells, .. } = *pass.grid;
+    let plane = pass.grid.plane();
+    let together = planes_together(plane);
+    let figures = &mut figures[..cells[2].div_ceil(together)];
+    each_run(exec.is_parallel, divergence, together * plane, figures, |group, out, figures| {
+        *figures = exec.simd.run_kernel(Planes { pass, first: group * together, out });
+    });
+    Figures::combine(figures)
+}
+
+/// What is measured.
+struct Pass<'a> {
+    grid: &'a Grid,
+    /// None if the divergence is there.
+    velocity: Option<[&'a [f32]; 3]>,
+    expansion: Option<&'a [f32]>,
+    mean: f64,
+}
+
+/// Some z-planes of cells, and the faces of all axes that have their numbers; with the last one
+/// those behind it, too.
+struct Planes<'a> {
+    pass: &'a Pass<'a>,
+    first: usize,
+    out: &'a mut [f32],
+}
+
+impl Kernel for Planes<'_> {
+    type Output = Figures;
+
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> Figures {
+        let Self { pass: Pass { grid, velocity, expansion, mean }, first, out } = self;
+        let [nx, ny, nz] = grid.cells;
+        let plane = grid.plane();
+        let mut slices: [&[f32]; 4] = [&[]; 4];
+        if let Some(velocity) = velocity {
+            for (k, out) in out.chunks_exact_mut(plane).enumerate() {
+                divergence_plane(grid, *velocity, first + k, out);
+            }
+            // In two parts, and first of all to what expands: the rest of great values that nearly cancel is exact.
+            let high = *mean as f32;
+            let low = (mean - f64::from(high)) as f32;
+            if let Some(expansion) = expansion {
+                let rates = &expansion[first * plane..];
+                out.iter_mut().zip(rates).for_each(|(value, rate)| *value -= (rate + high) + low);
+            } else if *mean != 0.0 {
+                out.iter_mut().for_each(|value| *value = (*value - high) - low);
+            }
+            let last = first + out.len() / plane;
+            let w_last = if last == nz { last + 1 } else { last };
+            let [u, v, w] = velocity;
+            slices[1] = &u[first * (nx + 1) * ny..last * (nx + 1) * ny];
+            slices[2] = &v[first * nx * (ny + 1)..last * nx * (ny + 1)];
+            slices[3] = &w[first * plane..w_last * plane];
+        }
+        slices[0] = out;
+        // A loop, so that the code is there once.
+        let mut scans = [Partial::default(); 4];
+        for (scan, slice) in scans.iter_mut().zip(slices) {
+            *scan = scan_with(simd, slice);
+        }
+        let [divergence, u, v, w] = scans;
+        Figures {
+            sum: divergence.sum,
+            squares: divergence.squares,
+            low: divergence.low,
+            high: divergence.high,
+            speed_squares: [u.squares, v.squares, w.squares],
+            speeds: [u.greatest(), v.greatest(), w.greatest()],
+        }
+    }
+}
+
+/// Calls `work(index, run, result)` for each run of `count` values.
+fn each_run<T: Send>(
+    is_parallel: bool,
+    values: &mut [f32],
+    count: usize,
+    results: &mut [T],
+    work: impl Fn(usize, &mut [f32], &mut T) + Sync + Send,
+) {
+    if is_parallel {
+        let planes = values.par_chunks_mut(count).zip(results.par_iter_mut()).enumerate();
+        planes.for_each(|(k, (values, result))| work(k, values, result));
+    } else {
+        let planes = values.chunks_mut(count).zip(results).enumerate();
+        planes.for_each(|(k, (values, result))| work(k, values, result));
+    }
 }
 
 /// Calls `work(k, plane, result)` for each z-plane of cells.
@@ -112,60 +163,10 @@ pub(crate) fn for_planes_and_figures<T: Send>(
     results: &mut [T],
     work: impl Fn(usize, &mut [f32], &mut T) + Sync + Send,
 ) {
-    let plane = grid.plane();
-    let simd: Simd = grid.exec.simd;
-    if grid.exec.is_parallel {
-        let planes = values.par_chunks_mut(plane).zip(results.par_iter_mut()).enumerate();
-        planes.for_each(|(k, (values, result))| {
-            simd.run(
-                #[inline(always)]
-                || work(k, values, result),
-            );
-        });
-    } else {
-        for (k, (values, result)) in values.chunks_mut(plane).zip(results).enumerate() {
-            simd.run(
-                #[inline(always)]
-                || work(k, values, result),
-            );
-        }
-    }
-}
-
-/// Sum, sum of squares and extremes.
-#[inline(always)]
-fn scan(values: &[f32]) -> Figures {
-    let mut all = Figures::default();
-    for values in values.chunks(SUMMED) {
-        let (mut sums, mut squares) = ([0.0_f32; LANES], [0.0_f32; LANES]);
-        let (mut low, mut high) = ([0.0_f32; LANES], [0.0_f32; LANES]);
-        let (chunks, rest) = values.as_chunks::<LANES>();
-        for chunk in chunks {
-            for lane in 0..LANES {
-                sums[lane] += chunk[lane];
-            }
-            for lane in 0..LANES {
-                squares[lane] += chunk[lane] * chunk[lane];
-            }
-            for lane in 0..LANES {
-                low[lane] = if chunk[lane] < low[lane] { chunk[lane] } else { low[lane] };
-            }
-            for lane in 0..LANES {
-                high[lane] = if chunk[lane] > high[lane] { chunk[lane] } else { high[lane] };
-            }
-        }
-        for (lane, value) in rest.iter().enumerate() {
-            sums[lane] += value;
-            squares[lane] += value * value;
-            low[lane] = low[lane].min(*value);
-            high[lane] = high[lane].max(*value);
-        }
-        for lane in 0..LANES {
-            all.sum += f64::from(sums[lane]);
-            all.squares += f64::from(squares[lane]);
-            all.low = all.low.min(low[lane]);
-            all.high = all.high.max(high[lane]);
-        }
-    }
-    all
+    each_run(grid.exec.is_parallel, values, grid.plane(), results, |k, values, result| {
+        grid.exec.simd.run(
+            #[inline(always)]
+            || work(k, values, result),
+        );
+    });
 }

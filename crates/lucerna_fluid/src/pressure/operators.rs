@@ -2,8 +2,7 @@
 
 use crate::field::Field;
 use crate::grid::Grid;
-use crate::lanes::max_abs;
-use crate::parallel::{Partial, for_planes, reduce};
+use crate::parallel::{Partial, for_planes, scan_planes};
 use crate::sides::Side;
 
 use super::mask::Mask;
@@ -210,13 +209,6 @@ fn subtract(out: &mut [f32], low: &[f32], high: &[f32], inverse_m: f32, weights:
 pub(crate) fn speeds(grid: &Grid, velocity: &[Field; 3], partials: &mut [Partial]) -> [f32; 3] {
     std::array::from_fn(|axis| {
         let field = &velocity[axis];
-        let plane = field.plane();
-        reduce(
-            grid.exec,
-            &mut partials[..field.counts[2]],
-            #[inline(always)]
-            |k| Partial { max: max_abs(&field.data[k * plane..(k + 1) * plane]), ..Partial::default() },
-        )
-        .max
+        scan_planes(grid.exec, &field.data, field.plane(), partials).greatest()
     })
 }
