@@ -64,21 +64,10 @@ pub(super) struct Backward<'a, const WRAPS: bool> {
 }
 
 impl<const WRAPS: bool> Backward<'_, WRAPS> {
-    /// The ways of sixteen values; see [`Ways`].
+    /// Places of sixteen values.
     #[inline(always)]
-    fn ways<S: Simd>(&self, simd: S, from: usize, [first, j, k]: [usize; 3]) -> [V<S>; 3] {
-        match self.kind.0 {
-            None => self.ways.of_cells(simd, from, first, j, k, 0),
-            Some(axis) => self.ways.of_faces(simd, from, axis, [first, j, k]),
-        }
-    }
-
-    /// Places of sixteen values, and where their air was.
-    #[inline(always)]
-    fn origins<S: Simd>(&self, simd: S, [first, j, k]: [usize; 3]) -> ([V<S>; 3], [V<S>; 3]) {
-        let here = [ramp(simd) + first as f32, V::splat(simd, j as f32), V::splat(simd, k as f32)];
-        let way = self.ways(simd, 0, [first, j, k]);
-        (here, [here[0] - way[0], here[1] - way[1], here[2] - way[2]])
+    fn here<S: Simd>(&self, simd: S, [first, j, k]: [usize; 3]) -> [V<S>; 3] {
+        [ramp(simd) + first as f32, V::splat(simd, j as f32), V::splat(simd, k as f32)]
     }
 
     /// Which sides let air in.
@@ -130,9 +119,11 @@ impl<const WRAPS: bool> PlaneKernel<f32> for Backward<'_, WRAPS> {
         let zero = V::splat(simd, 0.0);
         let mut brought = zero;
         for j in 0..ny {
+            let ways = self.ways.of_row(self.kind, 0, j, k);
             for block in 0..nx.div_ceil(LANES) {
                 let first = LANES * block;
-                let (_, at) = self.origins(simd, [first, j, k]);
+                let (here, way) = (self.here(simd, [first, j, k]), ways.load(simd, first));
+                let at = [here[0] - way[0], here[1] - way[1], here[2] - way[2]];
                 let lanes = active(nx, first);
                 let places = places::<S, WRAPS>(simd, &self.from, at);
                 let mut values = match &self.padded {
@@ -173,13 +164,16 @@ impl<const WRAPS: bool> PlaneKernel<f32> for Correction<'_, WRAPS> {
         let [nx, ny, _] = self.back.counts;
         let inlets = self.back.inlets();
         for j in 0..ny {
+            let ways = self.back.ways.of_row(self.back.kind, 0, j, k);
+            let ways_on = self.back.ways.of_row(self.back.kind, 3, j, k);
             for block in 0..nx.div_ceil(LANES) {
                 let first = LANES * block;
                 let lanes = active(nx, first);
-                let (here, at) = self.back.origins(simd, [first, j, k]);
+                let (here, way) = (self.back.here(simd, [first, j, k]), ways.load(simd, first));
+                let at = [here[0] - way[0], here[1] - way[1], here[2] - way[2]];
                 let before = places::<S, WRAPS>(simd, &self.back.from, at);
                 let (low, high) = bounds(&corners(simd, &self.back.from, &before, lanes));
-                let forth = self.back.ways(simd, 3, [first, j, k]);
+                let forth = ways_on.load(simd, first);
                 let to = [here[0] + forth[0], here[1] + forth[1], here[2] + forth[2]];
                 let after = places::<S, WRAPS>(simd, &self.found_lattice, to);
                 let again = blend(corners(simd, &self.found_lattice, &after, lanes), &after);

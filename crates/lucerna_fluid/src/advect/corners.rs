@@ -82,13 +82,15 @@ fn corners_near<S: Simd>(
     // What no lane selects may lie beyond the end.
     let ys = [0, dy, dy + if has_next[1] { dy } else { 0 }];
     let zs = [0, dz, dz + if has_next[2] { dz } else { 0 }];
-    let window = window(lattice.data, from, zs[2] + ys[2] + 2 + LANES)?;
+    let length = ys[2] + 2 + LANES;
+    let window = window(lattice.data, from, zs[2] + length)?;
+    let planes = [&window[..length], &window[zs[1]..zs[1] + length], &window[zs[2]..zs[2] + length]];
     let zero = V::splat(simd, 0.0);
     let mut columns = [[zero; 4]; 3];
     for y in 0..3 {
-        let mut rows: [&[f32; LANES + 2]; 3] = [&[0.0; LANES + 2]; 3];
+        let mut rows: [&[f32]; 3] = [&[]; 3];
         for z in 0..3 {
-            rows[z] = window[ys[y] + zs[z]..].first_chunk()?;
+            rows[z] = &planes[z][ys[y]..ys[y] + 2 + LANES];
         }
         for x in 0..3 {
             let mut values = [zero; 3];

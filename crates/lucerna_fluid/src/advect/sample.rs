@@ -4,6 +4,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, i32x16, mask32x16};
 
 use super::corners::corners;
+pub(super) use crate::lanes::{least, most};
 
 /// Values handled together.
 pub(super) const LANES: usize = 16;
@@ -65,18 +66,6 @@ pub(super) fn ramp<S: Simd>(simd: S) -> V<S> {
 #[inline(always)]
 pub(super) fn counted<S: Simd>(simd: S) -> I<S> {
     I::simd_from(simd, [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15])
-}
-
-/// The smaller of two, the same on every level.
-#[inline(always)]
-pub(super) fn least<S: Simd>(a: V<S>, b: V<S>) -> V<S> {
-    a.simd_lt(b).select(a, b)
-}
-
-/// The larger of two; `b` where `a` is not a number.
-#[inline(always)]
-pub(super) fn most<S: Simd>(a: V<S>, b: V<S>) -> V<S> {
-    a.simd_gt(b).select(a, b)
 }
 
 /// Sixteen values from `at` on; zeros beyond the end.

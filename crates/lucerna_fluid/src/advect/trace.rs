@@ -6,6 +6,7 @@ use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
 use super::Trace;
+use super::back::Kind;
 use super::sample::{LANES, Lattice, V, active, load, ramp, sample, store};
 use crate::grid::Grid;
 use crate::parallel::{Partial, PlaneKernel, run_planes};
@@ -66,31 +67,12 @@ impl Ways {
         self.stride * (part + self.parts * (j + self.cells[1] * k))
     }
 
-    /// Ways of sixteen cells from (first - back, j, k) on; `from` is 0 for the way back, 3 for the way on.
+    /// The ways of a row of values; `from` is 0 for the way back, 3 for the way on.
     #[inline(always)]
-    pub(super) fn of_cells<S: Simd>(
-        &self,
-        simd: S,
-        from: usize,
-        first: usize,
-        j: usize,
-        k: usize,
-        back: usize,
-    ) -> [V<S>; 3] {
-        let at = self.row(from, j, k) + first + 1 - back;
-        [
-            load(simd, &self.data, at),
-            load(simd, &self.data, at + self.stride),
-            load(simd, &self.data, at + 2 * self.stride),
-        ]
-    }
-
-    /// Ways of sixteen faces across `axis` from (first, j, k) on.
-    #[inline(always)]
-    pub(super) fn of_faces<S: Simd>(&self, simd: S, from: usize, axis: usize, [first, j, k]: [usize; 3]) -> [V<S>; 3] {
+    pub(super) fn of_row(&self, kind: Kind, from: usize, j: usize, k: usize) -> RowWays<'_> {
         let beside = |at: usize, across: usize| {
             let count = self.cells[across];
-            if axis != across {
+            if kind != Kind::faces(across) {
                 (at, at)
             } else if self.periodic[across] {
                 ((at + count - 1) % count, at % count)
@@ -100,10 +82,46 @@ impl Ways {
         };
         let (j_low, j_high) = beside(j, 1);
         let (k_low, k_high) = beside(k, 2);
-        let back = usize::from(axis == 0);
-        let low = self.of_cells(simd, from, first, j_low, k_low, back);
-        let high = self.of_cells(simd, from, first, j_high, k_high, 0);
-        [(low[0] + high[0]) * 0.5, (low[1] + high[1]) * 0.5, (low[2] + high[2]) * 0.5]
+        let parts = |j: usize, k: usize| {
+            let at = self.row(from, j, k);
+            let (x, rest) = self.data[at..at + 3 * self.stride].split_at(self.stride);
+            let (y, z) = rest.split_at(self.stride);
+            [x, y, z]
+        };
+        RowWays {
+            low: parts(j_low, k_low),
+            high: (kind != Kind::CENTRES).then(|| parts(j_high, k_high)),
+            back: usize::from(kind == Kind::faces(0)),
+        }
+    }
+}
+
+/// Ways of a row of values, along x, y and z.
+pub(super) struct RowWays<'a> {
+    /// Of the cells before faces, or the cells themselves.
+    low: [&'a [f32]; 3],
+    /// Of the cells behind.
+    high: Option<[&'a [f32]; 3]>,
+    /// How many cells the lower ones are further along the row.
+    back: usize,
+}
+
+impl RowWays<'_> {
+    /// The ways of sixteen values from `first` on.
+    #[inline(always)]
+    pub(super) fn load<S: Simd>(&self, simd: S, first: usize) -> [V<S>; 3] {
+        let mut ways = [V::splat(simd, 0.0); 3];
+        for axis in 0..3 {
+            let at = first + 1 - self.back;
+            ways[axis] = V::from_slice(simd, &self.low[axis][at..at + LANES]);
+        }
+        if let Some(high) = &self.high {
+            for axis in 0..3 {
+                let others = V::from_slice(simd, &high[axis][first + 1..first + 1 + LANES]);
+                ways[axis] = (ways[axis] + others) * 0.5;
+            }
+        }
+        ways
     }
 }
 
