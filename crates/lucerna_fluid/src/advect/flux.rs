@@ -105,14 +105,15 @@ impl Pass<'_> {
         courant
     }
 
-    /// The row of values (j, k); beyond the sides the outside, or at walls the row there.
+    /// The row of values (j, k) and what follows it, so that whole vectors can be read; beyond the
+    /// sides the outside, or at walls the row there.
     #[inline(always)]
     fn row<'b>(&'b self, [j, k]: [isize; 2], outside: &'b Row) -> &'b [f32] {
         let [nx, ny, nz] = self.grid.cells;
         let (Some(j), Some(k)) = (self.inside(1, j, ny), self.inside(2, k, nz)) else {
-            return &outside[..nx];
+            return outside;
         };
-        &self.from[nx * (j + ny * k)..][..nx]
+        &self.from[nx * (j + ny * k)..]
     }
 
     /// The index to read along an axis; none where the air is the outside's.
@@ -139,7 +140,7 @@ impl Pass<'_> {
         }
         let even = V::splat(simd, value);
         for row in rows {
-            let (chunks, rest) = row.as_chunks::<LANES>();
+            let (chunks, rest) = row[..self.grid.cells[0]].as_chunks::<LANES>();
             for chunk in chunks {
                 if !V::simd_from(simd, *chunk).simd_eq(even).all_true() {
                     return false;
@@ -225,10 +226,10 @@ impl PlaneKernel<f32> for Pass<'_> {
                 self.row([j_at, k_at + 2], &outside),
             ];
             if !self.flow.thins && self.is_even(simd, &rows, self.outside.value) {
-                out[j * nx..(j + 1) * nx].copy_from_slice(rows[0]);
+                out[j * nx..(j + 1) * nx].copy_from_slice(&rows[0][..nx]);
                 continue;
             }
-            padded[2..nx + 2].copy_from_slice(rows[0]);
+            padded[2..nx + 2].copy_from_slice(&rows[0][..nx]);
             for at in [0, 1, nx + 2, nx + 3] {
                 let index = self.inside(0, at as isize - 2, nx);
                 padded[at] = index.map_or(self.outside.value, |index| rows[0][index]);

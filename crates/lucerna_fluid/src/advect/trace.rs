@@ -111,14 +111,13 @@ impl RowWays<'_> {
     #[inline(always)]
     pub(super) fn load<S: Simd>(&self, simd: S, first: usize) -> [V<S>; 3] {
         let mut ways = [V::splat(simd, 0.0); 3];
-        for axis in 0..3 {
+        for (way, row) in ways.iter_mut().zip(&self.low) {
             let at = first + 1 - self.back;
-            ways[axis] = V::from_slice(simd, &self.low[axis][at..at + LANES]);
+            *way = V::from_slice(simd, &row[at..at + LANES]);
         }
         if let Some(high) = &self.high {
-            for axis in 0..3 {
-                let others = V::from_slice(simd, &high[axis][first + 1..first + 1 + LANES]);
-                ways[axis] = (ways[axis] + others) * 0.5;
+            for (way, row) in ways.iter_mut().zip(high) {
+                *way = (*way + V::from_slice(simd, &row[first + 1..first + 1 + LANES])) * 0.5;
             }
         }
         ways

@@ -147,12 +147,12 @@ fn each_run<T: Send>(
     results: &mut [T],
     work: impl Fn(usize, &mut [f32], &mut T) + Sync + Send,
 ) {
+    // One closure for both, so that it is compiled once.
+    let one = |(index, (values, result)): (usize, (&mut [f32], &mut T))| work(index, values, result);
     if is_parallel {
-        let planes = values.par_chunks_mut(count).zip(results.par_iter_mut()).enumerate();
-        planes.for_each(|(k, (values, result))| work(k, values, result));
+        values.par_chunks_mut(count).zip(results.par_iter_mut()).enumerate().for_each(one);
     } else {
-        let planes = values.chunks_mut(count).zip(results).enumerate();
-        planes.for_each(|(k, (values, result))| work(k, values, result));
+        values.chunks_mut(count).zip(results).enumerate().for_each(one);
     }
 }
 

@@ -112,11 +112,11 @@ impl<T, K: ChunkKernel<T>> Kernel for One<'_, T, K> {
 
 /// Calls the kernel for each run of `size` values.
 pub(crate) fn run_chunks<T: Send, K: ChunkKernel<T>>(exec: Execution, data: &mut [T], size: usize, kernel: &K) {
+    // One closure for both, so that it is compiled once.
+    let one = |(index, out): (usize, &mut [T])| exec.simd.run_kernel(One { kernel, index, out });
     if exec.is_parallel {
-        let chunks = data.par_chunks_mut(size).enumerate();
-        chunks.for_each(|(index, out)| exec.simd.run_kernel(One { kernel, index, out }));
+        data.par_chunks_mut(size).enumerate().for_each(one);
     } else {
-        let chunks = data.chunks_mut(size).enumerate();
-        chunks.for_each(|(index, out)| exec.simd.run_kernel(One { kernel, index, out }));
+        data.chunks_mut(size).enumerate().for_each(one);
     }
 }
