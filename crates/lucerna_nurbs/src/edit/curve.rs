@@ -22,6 +22,7 @@ impl<T: Real, const D: usize> Curve<T, D> {
     /// # Errors
     /// When `t` is NaN or outside the domain, or would occur more often than the degree.
     pub fn insert_knot(&self, t: T, times: usize) -> Result<Self, NurbsError> {
+        self.knots().check("t", t)?;
         // One more than may be is enough to be refused.
         self.refine(&vec![t; times.min(self.knots().degree() + 1)])
     }

@@ -24,6 +24,7 @@ impl<T: Real> Surface<T> {
     /// # Errors
     /// When `t` is NaN or outside the domain, or would occur more often than the degree.
     pub fn insert_knot(&self, direction: Direction, t: T, times: usize) -> Result<Self, NurbsError> {
+        self.knots(direction).check(direction.name(), t)?;
         // One more than may be is enough to be refused.
         self.refine(direction, &vec![t; times.min(self.knots(direction).degree() + 1)])
     }
