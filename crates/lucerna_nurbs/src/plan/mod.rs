@@ -8,6 +8,7 @@ mod limit;
 mod many;
 mod net;
 mod output;
+mod tables;
 mod topology;
 
 pub use evaluate::Scratch;

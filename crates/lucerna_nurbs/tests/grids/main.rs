@@ -1,0 +1,8 @@
+//! Uniform grids.
+
+mod every;
+mod many;
+mod output;
+mod points;
+mod shapes;
+mod tables;
