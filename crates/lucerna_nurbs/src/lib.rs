@@ -70,7 +70,9 @@ extern crate alloc;
 #[cfg(feature = "std")]
 extern crate std;
 
+mod adaptive;
 mod basis;
+mod bernstein;
 mod bounds;
 mod check;
 mod closest;
@@ -78,6 +80,7 @@ mod curve;
 mod edit;
 mod error;
 mod fit;
+mod flatness;
 mod knots;
 mod patch;
 mod plan;
@@ -90,6 +93,7 @@ mod strip;
 mod surface;
 mod vector;
 
+pub use adaptive::{AdaptiveOptions, Mesh};
 pub use basis::Basis;
 pub use bounds::Bounds;
 pub use closest::{CurvePoint, SurfacePoint};

@@ -38,6 +38,16 @@ impl<const D: usize> Patch<D> {
         Self { counts, points, weights, lo, hi }
     }
 
+    /// Control points along u and v.
+    pub(crate) fn counts(&self) -> [usize; 2] {
+        self.counts
+    }
+
+    /// The control points times their weights, with these.
+    pub(crate) fn homogeneous(&self) -> impl Iterator<Item = ([f64; D], f64)> {
+        self.points.iter().copied().zip(self.weights.iter().copied())
+    }
+
     /// The control points.
     pub(crate) fn hull(&self) -> impl Iterator<Item = [f64; D]> {
         self.points.iter().zip(&self.weights).map(|(point, w)| point.map(|x| x / w))

@@ -7,12 +7,16 @@ mod kernels;
 mod limit;
 mod many;
 mod net;
+mod options;
 mod output;
 mod tables;
+mod tolerance;
 mod topology;
 
 pub use evaluate::Scratch;
+pub use options::{Closure, GridOptions};
 pub use output::{GridLayout, GridOutput, GridVertex, Interleaved};
+pub use tolerance::cells_for_error;
 
 use alloc::vec::Vec;
 
@@ -20,77 +24,6 @@ use crate::{KnotVector, NurbsError, Real, SimdLevel};
 use axis::Axis;
 use blocks::Blocks;
 use fearless_simd::{Simd, SimdBase, dispatch};
-
-/// How a direction of the grid ends.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[non_exhaustive]
-pub enum Closure {
-    /// From one end of the domain to the other.
-    #[default]
-    Open,
-    /// The two ends of the domain are the same points of the surface, as with a circle of rational
-    /// arcs: the last sample is a copy of the first.
-    Joined,
-    /// The knots are periodic and the first `degree` control points repeat behind the last, as
-    /// [`KnotVector::periodic`] and [`Surface::closed_u`](crate::Surface::closed_u) have it.
-    ///
-    /// The samples start, and end, at the Greville abscissa of control row `start_row`, one period
-    /// apart. On evenly spaced knots, samples at equal distances before and behind that row are
-    /// exact mirror images: where the control points mirror each other bit for bit, so do the
-    /// samples, and an edge that runs forth and back along a slit closes without a crack.
-    Periodic {
-        /// The control row at which the samples start, below the number of distinct rows.
-        start_row: usize,
-    },
-}
-
-/// The size and shape of a grid.
-///
-/// The default is 48 x 48 cells, open in both directions, without poles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
-pub struct GridOptions {
-    /// Cells along u, at least 1, or 3 when u is closed; at most 8192.
-    pub columns: usize,
-    /// Cells along v, at least 1, 2 with poles or slits at both ends, 3 when v is closed; at most
-    /// 8192.
-    pub rows: usize,
-    /// How u ends.
-    pub closure_u: Closure,
-    /// How v ends.
-    pub closure_v: Closure,
-    /// The edge at the lower end of v is a single point: it gets one vertex per column, in the
-    /// middle of the column, all at the same place, and one triangle per column.
-    pub pole_v_min: bool,
-    /// The same for the upper end of v.
-    pub pole_v_max: bool,
-    /// The edge at the lower end of v runs forth and back through the same points, mirrored about
-    /// the first column: u is closed, but v is pinched to a slit. With an odd number of columns the
-    /// two in the middle meet there; no triangle is put between them.
-    pub slit_v_min: bool,
-    /// The same for the upper end of v.
-    pub slit_v_max: bool,
-    /// Turns triangles and normals over, for nets that run the other way round; see
-    /// [`GridPlan`] for the rule.
-    pub flip: bool,
-}
-
-impl Default for GridOptions {
-    fn default() -> Self {
-        Self {
-            columns: 48,
-            rows: 48,
-            closure_u: Closure::Open,
-            closure_v: Closure::Open,
-            pole_v_min: false,
-            pole_v_max: false,
-            slit_v_min: false,
-            slit_v_max: false,
-            flip: false,
-        }
-    }
-}
 
 /// Spans, basis values, derivatives and triangles of a uniform grid.
 ///
@@ -159,9 +92,6 @@ impl<T: Real> GridPlan<T> {
         if both || slit && (options.closure_u == Closure::Open || options.closure_v != Closure::Open) {
             return Err(NurbsError::Slit);
         }
-        let least = |closure| if closure == Closure::Open { 1 } else { 3 };
-        let ends = usize::from(options.pole_v_min || options.slit_v_min)
-            + usize::from(options.pole_v_max || options.slit_v_max);
         let max = Self::MAX_CELLS;
         let cells = |name, found, min| {
             if (min..=max).contains(&found) {
@@ -169,8 +99,9 @@ impl<T: Real> GridPlan<T> {
             }
             Err(NurbsError::Cells { name, found, min, max })
         };
-        cells("columns", options.columns, least(options.closure_u))?;
-        cells("rows", options.rows, least(options.closure_v).max(ends))?;
+        let [columns, rows] = options.least_cells();
+        cells("columns", options.columns, columns)?;
+        cells("rows", options.rows, rows)?;
         let at_most = |name, found, max| {
             if found <= max {
                 return Ok(());
@@ -249,26 +180,4 @@ fn lanes<T: Real>(level: SimdLevel) -> usize {
         T::Native::<S>::LEN
     }
     dispatch!(level.level(), simd => lanes::<T, _>(simd))
-}
-
-/// The number of grid cells, around or along a rounded shape of extent `size`, that keeps the
-/// distance between mesh and surface near `tolerance`: `3 sqrt(size / tolerance)`, rounded up.
-///
-/// Both are in the same unit, for instance pixels. The result is 3 to 8192.
-///
-/// ```
-/// assert_eq!(lucerna_nurbs::cells_for_error(100.0, 1.0), Ok(30));
-/// ```
-///
-/// # Errors
-/// When `size` or `tolerance` is not positive and finite.
-pub fn cells_for_error(size: f64, tolerance: f64) -> Result<usize, NurbsError> {
-    for (name, value) in [("size", size), ("tolerance", tolerance)] {
-        if !(value > 0.0 && value.is_finite()) {
-            return Err(NurbsError::NotPositive { name, value });
-        }
-    }
-    let cells = 3.0 * Real::sqrt(size / tolerance);
-    // Rounded up.
-    Ok((-Real::floor(-cells)).clamp(3.0, 8192.0) as usize)
 }

@@ -6,3 +6,4 @@ mod output;
 mod points;
 mod shapes;
 mod tables;
+mod tolerance;
