@@ -42,7 +42,7 @@ impl<T: Real> Surface<T> {
     /// For an edge that runs forth and back along a slit, use a [`GridPlan`](crate::GridPlan).
     ///
     /// ```
-    /// use lucerna_nurbs::{AdaptiveOptions, KnotVector, Surface};
+    /// use lucerna_nurbs::{AdaptiveOptions, GridOptions, KnotVector, Surface};
     ///
     /// // Flat but for one corner.
     /// let line = KnotVector::<f64>::clamped_uniform(2, 5)?;
@@ -50,7 +50,9 @@ impl<T: Real> Surface<T> {
     /// let net = (0..25).map(|k| [(k / 5) as f64, (k % 5) as f64, height(k / 5, k % 5)]).collect();
     /// let surface = Surface::new(line.clone(), line, net, None)?;
     /// let mesh = surface.adaptive_mesh(AdaptiveOptions { tolerance: 0.01, flip: false })?;
-    /// assert!(mesh.indices.len() / 3 < 150);
+    /// // A grid that is sure to be as near has more than twice as many triangles.
+    /// let grid = surface.grid_for_tolerance(0.01, GridOptions::default())?;
+    /// assert!(mesh.indices.len() / 3 < grid.columns * grid.rows);
     /// # Ok::<(), lucerna_nurbs::NurbsError>(())
     /// ```
     ///

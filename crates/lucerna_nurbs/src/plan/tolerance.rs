@@ -79,7 +79,7 @@ impl<T: Real> Surface<T> {
     ///
     /// let (u, v) = (KnotVector::<f64>::clamped_uniform(2, 3)?, KnotVector::clamped_uniform(1, 2)?);
     /// let arch = vec![[0., 0., 0.], [0., 1., 0.], [1., 0., 2.], [1., 1., 2.], [2., 0., 0.], [2., 1., 0.]];
-    /// let options = Surface::new(u, v, arch, None)?.grid_for_tolerance(0.01, GridOptions::default())?;
+    /// let options = Surface::new(u, v, arch, None)?.grid_for_tolerance(0.011, GridOptions::default())?;
     /// assert_eq!((options.columns, options.rows), (10, 1));
     /// # Ok::<(), lucerna_nurbs::NurbsError>(())
     /// ```
