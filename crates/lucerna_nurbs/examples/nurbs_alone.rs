@@ -1,27 +1,16 @@
 //! Writes a rational torus and a closed flame to OBJ files in `target/nurbs_alone`.
 
-use lucerna_nurbs::{Closure, GridOptions, GridPlan, KnotVector};
+use lucerna_nurbs::{Closure, GridOptions, GridPlan, KnotVector, Surface};
 use std::error::Error;
 use std::fmt::Write as _;
 use std::path::Path;
 use std::{env, fs};
 
 fn main() -> Result<(), Box<dyn Error>> {
-    // A circle in nine points: x, y and weight. A torus is one circle led around another.
-    let h = 0.5_f32.sqrt();
-    let (x, y) = ([1., 1., 0., -1., -1., -1., 0., 1., 1.], [0., 1., 1., 1., 0., -1., -1., -1., 0.]);
-    let weight = |k: usize| if k % 2 == 1 { h } else { 1.0 };
-    let circle = KnotVector::clamped(2, &[0.25, 0.25, 0.5, 0.5, 0.75, 0.75])?;
-    let (points, weights): (Vec<[f32; 3]>, Vec<f32>) = (0..81)
-        .map(|k| (k / 9, k % 9))
-        .map(|(i, j)| {
-            let radius = 3.0 + x[j];
-            ([radius * x[i], y[j], -radius * y[i]], weight(i) * weight(j))
-        })
-        .unzip();
+    let torus = Surface::torus([0.0; 3], 3.0, 1.0)?;
     let joined = GridOptions { closure_u: Closure::Joined, closure_v: Closure::Joined, ..GridOptions::default() };
-    let torus = GridPlan::new(&circle, &circle, joined)?;
-    write_obj("torus", &torus, &points, Some(&weights))?;
+    let plan = GridPlan::new(torus.knots_u(), torus.knots_v(), joined)?;
+    write_obj("torus", &plan, torus.points(), torus.weights())?;
 
     // A flame over a wick: ten rows around it, pinched to the line of the wick below and above.
     let around = KnotVector::periodic(3, 10)?;

@@ -62,6 +62,15 @@ impl<T: Real> KnotVector<T> {
     ///
     /// Derivatives above the degree are zero.
     ///
+    /// ```
+    /// use lucerna_nurbs::KnotVector;
+    ///
+    /// let basis = KnotVector::<f64>::clamped_uniform(2, 3)?.basis_derivatives(0.5, 2)?;
+    /// assert_eq!(basis.derivative(1), Some(&[-1.0, 0.0, 1.0][..]));
+    /// assert_eq!(basis.derivative(2), Some(&[2.0, -4.0, 2.0][..]));
+    /// # Ok::<(), lucerna_nurbs::NurbsError>(())
+    /// ```
+    ///
     /// # Errors
     /// When `t` is NaN or outside the domain, or `order` is above [`MAX_DEGREE`].
     pub fn basis_derivatives(&self, t: T, order: usize) -> Result<Basis<T>, NurbsError> {

@@ -72,6 +72,14 @@ impl<T: Real, const D: usize> Curve<T, D> {
 
 impl<T: Real> Surface<T> {
     /// The box around the control points, in which the surface lies.
+    ///
+    /// ```
+    /// use lucerna_nurbs::Surface;
+    ///
+    /// let bounds = Surface::sphere([0.0, 1.0, 0.0], 2.0_f64)?.bounds();
+    /// assert_eq!((bounds.min, bounds.max), ([-2.0, -1.0, -2.0], [2.0, 3.0, 2.0]));
+    /// # Ok::<(), lucerna_nurbs::NurbsError>(())
+    /// ```
     pub fn bounds(&self) -> Bounds<T, 3> {
         Bounds::of(self.points().iter().copied())
     }

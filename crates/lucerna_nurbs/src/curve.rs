@@ -55,6 +55,15 @@ impl<T: Real, const D: usize> Curve<T, D> {
     /// A smooth closed curve through no point in particular: periodic uniform knots, the first
     /// `degree` points repeated at the end. The domain is 0 to the number of points.
     ///
+    /// ```
+    /// use lucerna_nurbs::Curve;
+    ///
+    /// let ring = Curve::closed(2, vec![[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]], None)?;
+    /// assert_eq!(ring.domain(), (0.0, 4.0));
+    /// assert_eq!(ring.point(0.0)?, ring.point(4.0)?);
+    /// # Ok::<(), lucerna_nurbs::NurbsError>(())
+    /// ```
+    ///
     /// # Errors
     /// As for [`new`](Self::new); also when there are fewer points than `degree`.
     pub fn closed(degree: usize, mut points: Vec<[T; D]>, mut weights: Option<Vec<T>>) -> Result<Self, NurbsError> {
@@ -115,6 +124,14 @@ impl<T: Real, const D: usize> Curve<T, D> {
 
     /// The point and the derivatives with respect to `t` up to `order`, `order + 1` vectors in all
     /// (A3.2 and A4.2).
+    ///
+    /// ```
+    /// use lucerna_nurbs::{Curve, KnotVector};
+    ///
+    /// let parabola = Curve::new(KnotVector::clamped_uniform(2, 3)?, vec![[0.0, 0.0], [0.5, 0.0], [1.0, 1.0]], None)?;
+    /// assert_eq!(parabola.derivatives(0.5, 2)?, [[0.5, 0.25], [1.0, 1.0], [0.0, 2.0]]);
+    /// # Ok::<(), lucerna_nurbs::NurbsError>(())
+    /// ```
     ///
     /// # Errors
     /// When `t` is NaN or outside the domain, or `order` is above [`MAX_DEGREE`](crate::MAX_DEGREE).

@@ -33,6 +33,16 @@ pub struct KnotVector<T> {
 impl<T: Real> KnotVector<T> {
     /// Takes knots as they are.
     ///
+    /// ```
+    /// use lucerna_nurbs::{KnotVector, NurbsError};
+    ///
+    /// let knots = KnotVector::new(2, vec![0.0, 0.0, 0.0, 1.0, 2.0, 2.0, 2.0])?;
+    /// assert_eq!((knots.count(), knots.domain()), (4, (0.0, 2.0)));
+    /// let refused = KnotVector::new(1, vec![0.0, 0.0, 2.0, 1.0, 3.0, 3.0]);
+    /// assert_eq!(refused, Err(NurbsError::KnotDecreasing { index: 3, value: 1.0, previous: 2.0 }));
+    /// # Ok::<(), lucerna_nurbs::NurbsError>(())
+    /// ```
+    ///
     /// # Errors
     /// When the degree is 0 or above [`MAX_DEGREE`], the knots are fewer than `2 (degree + 1)`, not
     /// finite, decreasing or repeated too often (at most `degree + 1` times at the two ends of the
@@ -73,6 +83,14 @@ impl<T: Real> KnotVector<T> {
     /// Clamped on the domain 0 to 1 with the given inner knots, which makes
     /// `inner.len() + degree + 1` control points.
     ///
+    /// ```
+    /// use lucerna_nurbs::KnotVector;
+    ///
+    /// let knots = KnotVector::clamped(2, &[0.5])?;
+    /// assert_eq!(knots.as_slice(), [0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0]);
+    /// # Ok::<(), lucerna_nurbs::NurbsError>(())
+    /// ```
+    ///
     /// # Errors
     /// When an inner knot decreases, leaves the domain or is repeated too often; indices in the
     /// error count from the start of the whole vector.
@@ -87,6 +105,15 @@ impl<T: Real> KnotVector<T> {
 
     /// `count` control points on evenly spaced knots, unclamped: the curve does not reach its end
     /// points. Knot `i` is `i - degree`; the domain is 0 to `count - degree`.
+    ///
+    /// ```
+    /// use lucerna_nurbs::KnotVector;
+    ///
+    /// let knots = KnotVector::<f64>::uniform(2, 4)?;
+    /// assert_eq!(knots.as_slice(), [-2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0]);
+    /// assert_eq!(knots.domain(), (0.0, 2.0));
+    /// # Ok::<(), lucerna_nurbs::NurbsError>(())
+    /// ```
     ///
     /// # Errors
     /// When `degree` is 0 or not below `count`, or `count` is too large.
@@ -135,6 +162,14 @@ impl<T: Real> KnotVector<T> {
 
     /// The Greville abscissa of control point `index`: the mean of its `degree` inner knots, the
     /// parameter near which the point pulls most. `None` beyond the last point.
+    ///
+    /// ```
+    /// use lucerna_nurbs::KnotVector;
+    ///
+    /// let knots = KnotVector::<f64>::periodic(3, 8)?;
+    /// assert_eq!((knots.greville(0), knots.greville(11)), (Some(-1.0), None));
+    /// # Ok::<(), lucerna_nurbs::NurbsError>(())
+    /// ```
     pub fn greville(&self, index: usize) -> Option<T> {
         (index < self.count()).then(|| {
             let inner = &self.knots[index + 1..=index + self.degree];
@@ -167,7 +202,7 @@ impl<T: Real> KnotVector<T> {
 
     /// How often `t` occurs among the knots.
     pub fn multiplicity(&self, t: T) -> usize {
-        self.knots.iter().filter(|&&knot| knot == t).count()
+        self.knots.partition_point(|&knot| knot <= t) - self.knots.partition_point(|&knot| knot < t)
     }
 
     /// Whether both ends of the domain occur `degree + 1` times: then a curve starts in its first

@@ -88,6 +88,17 @@ impl<T: Real> Surface<T> {
     /// `degree_u` of the given rows repeated behind the last. The domain in u is 0 to the number
     /// of rows.
     ///
+    /// ```
+    /// use lucerna_nurbs::{KnotVector, Surface};
+    ///
+    /// let along = KnotVector::<f64>::clamped_uniform(1, 2)?;
+    /// let corners = [[0., 0.], [2., 0.], [2., 2.], [0., 2.]];
+    /// let net = corners.iter().flat_map(|&[x, z]| [[x, 0., z], [x, 1., z]]).collect();
+    /// let tube = Surface::closed_u(3, along, net, None)?;
+    /// assert_eq!(tube.point(0.0, 0.5)?, tube.point(4.0, 0.5)?);
+    /// # Ok::<(), lucerna_nurbs::NurbsError>(())
+    /// ```
+    ///
     /// # Errors
     /// As for [`new`](Self::new); also when there are fewer rows than `degree_u`, or the points do
     /// not fill whole rows.
@@ -132,6 +143,15 @@ impl<T: Real> Surface<T> {
     /// The surface with every control point mapped. An affine map (moving, turning, scaling,
     /// shearing) takes the surface along; other maps bend it in ways of their own.
     ///
+    /// ```
+    /// use lucerna_nurbs::Surface;
+    ///
+    /// let sphere = Surface::sphere([0.0; 3], 1.0_f64)?;
+    /// let ellipsoid = sphere.map_points(|[x, y, z]| [3.0 * x, y, z])?;
+    /// assert_eq!(ellipsoid.point(0.0, 0.5)?, [3.0, 0.0, 0.0]);
+    /// # Ok::<(), lucerna_nurbs::NurbsError>(())
+    /// ```
+    ///
     /// # Errors
     /// When a mapped coordinate is not finite.
     pub fn map_points(&self, map: impl FnMut([T; 3]) -> [T; 3]) -> Result<Self, NurbsError> {
@@ -141,6 +161,15 @@ impl<T: Real> Surface<T> {
 
     /// The point at `(u, v)` (The NURBS Book, A3.5 and A4.3).
     ///
+    /// ```
+    /// use lucerna_nurbs::Surface;
+    ///
+    /// let torus = Surface::torus([0.0; 3], 3.0, 1.0_f64)?;
+    /// assert_eq!(torus.point(0.25, 0.0)?, [0.0, 0.0, -4.0]);
+    /// assert!(torus.point(0.25, 1.5).is_err());
+    /// # Ok::<(), lucerna_nurbs::NurbsError>(())
+    /// ```
+    ///
     /// # Errors
     /// When a parameter is NaN or outside the domain.
     pub fn point(&self, u: T, v: T) -> Result<[T; 3], NurbsError> {
@@ -148,6 +177,19 @@ impl<T: Real> Surface<T> {
     }
 
     /// The point and all partial derivatives up to the total order `order` (A3.6 and A4.4).
+    ///
+    /// ```
+    /// use lucerna_nurbs::{KnotVector, Surface};
+    ///
+    /// let line = KnotVector::<f64>::clamped_uniform(1, 2)?;
+    /// let net = vec![[0., 0., 0.], [0., 1., 0.], [1., 0., 0.], [1., 1., 1.]];
+    /// let saddle = Surface::new(line.clone(), line, net, None)?;
+    /// let d = saddle.derivatives(0.5, 0.5, 2)?;
+    /// assert_eq!(d.get(1, 0), Some([1.0, 0.0, 0.5]));
+    /// assert_eq!(d.get(1, 1), Some([0.0, 0.0, 1.0]));
+    /// assert_eq!(d.get(2, 1), None);
+    /// # Ok::<(), lucerna_nurbs::NurbsError>(())
+    /// ```
     ///
     /// # Errors
     /// When a parameter is NaN or outside the domain, or `order` is above
@@ -185,6 +227,17 @@ impl<T: Real> Surface<T> {
     /// vanishes; there the normal is the exact limit from inside: with dS/du = 0 it is
     /// d2S/du dv x dS/dv at the lower end of v and its opposite at the upper end, likewise
     /// dS/du x d2S/du dv for dS/dv = 0 at the ends of u.
+    ///
+    /// ```
+    /// use lucerna_nurbs::Curve;
+    /// use std::f64::consts::TAU;
+    ///
+    /// // A cone: its tip is a single point, yet it has a normal on every side.
+    /// let cone = Curve::line([1.0, 0.0, 0.0], [0.0, 1.0, 0.0])?.revolve([0.0; 3], [0.0, 1.0, 0.0], TAU)?;
+    /// let [x, y, z] = cone.normal(0.0, 1.0)?;
+    /// assert!((x - 0.5_f64.sqrt()).abs() < 1e-12 && (y - x).abs() < 1e-12 && z.abs() < 1e-12);
+    /// # Ok::<(), lucerna_nurbs::NurbsError>(())
+    /// ```
     ///
     /// # Errors
     /// When a parameter is NaN or outside the domain, or the surface has no tangent plane there.

@@ -228,3 +228,26 @@ fn parameters_wrap_around_closed_curves() {
     assert_eq!(curve.knots().wrap(-1e-300).unwrap(), 0.0);
     assert_eq!(curve.knots().wrap(1e300).unwrap(), 0.0);
 }
+
+#[test]
+fn single_precision_keeps_its_digits() {
+    let mut worst = 0.0f64;
+    for (name, curve) in nets::curves() {
+        let single = |x: &f64| *x as f32;
+        let knots = KnotVector::new(curve.knots().degree(), curve.knots().as_slice().iter().map(single).collect());
+        let points = curve.points().iter().map(|point| point.map(|x| x as f32)).collect();
+        let weights = curve.weights().map(|weights| weights.iter().map(single).collect());
+        let rounded = Curve::new(knots.unwrap(), points, weights).unwrap();
+        let (lo, hi) = rounded.domain();
+        let at = |x: f32| lo + (hi - lo) * x;
+        let edited = rounded.clamp().unwrap().elevate(2).unwrap().insert_knot(at(0.3), 2).unwrap();
+        for k in 0..=32 {
+            let t = at(k as f32 / 32.0);
+            let (a, b) = (edited.point(t).unwrap(), rounded.point(t).unwrap());
+            let error = (0..3).fold(0.0f64, |most, axis| most.max(f64::from((a[axis] - b[axis]).abs())));
+            worst = worst.max(error / size(curve.points()));
+        }
+        assert!(worst < 1e-5, "{name}: {worst:e}");
+    }
+    println!("moved by {worst:e} of the size at most");
+}

@@ -170,3 +170,25 @@ fn shapes_that_are_none_are_refused_by_name() {
     assert!(matches!(twice, NurbsError::ParameterOrder { name: "v", index: 1, .. }), "{twice}");
     assert!(KnotVector::<f64>::clamped(2, &[0.5; 3]).is_err());
 }
+
+#[test]
+fn knots_that_differ_by_rounding_become_one() {
+    let mut noise = nets::Noise(8);
+    let mut make = |inner: &[f64], end: f64| {
+        let mut knots = vec![0.0; 4];
+        knots.extend(inner.iter().map(|t| t * end));
+        knots.extend(vec![end; 4]);
+        let points = noise.points(inner.len() + 4);
+        Curve::new(KnotVector::new(3, knots).unwrap(), points, None).unwrap()
+    };
+    // Thirds of 7 divided by 7 again are not quite thirds; the last knot all but falls on the end.
+    let near = 1.0 - 4.0 * f64::EPSILON;
+    let (a, b) = (make(&[0.1, 1.0 / 3.0, near], 1.0), make(&[0.1 + 1e-16, 1.0 / 3.0, 0.7], 7.0));
+    let surface = Surface::ruled(&a, &b).unwrap();
+    assert_eq!(surface.knots_u().count(), 4 + 4);
+    assert_eq!(surface.knots_u().domain(), (0.0, 1.0));
+    for x in [0.0, 0.05, 0.2, 0.5, 0.9, 1.0] {
+        close(surface.point(x, 0.0).unwrap(), a.point(x).unwrap(), 1e-12);
+        close(surface.point(x, 1.0).unwrap(), b.point(7.0 * x).unwrap(), 1e-12);
+    }
+}

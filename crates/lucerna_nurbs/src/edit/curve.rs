@@ -29,6 +29,15 @@ impl<T: Real, const D: usize> Curve<T, D> {
 
     /// Inserts many knots at once, in any order, repeated or not (A5.4).
     ///
+    /// ```
+    /// use lucerna_nurbs::Curve;
+    ///
+    /// let line = Curve::line([0.0], [8.0])?.elevate(1)?;
+    /// let refined = line.refine(&[0.75, 0.25, 0.25])?;
+    /// assert_eq!(refined.points(), [[0.0], [1.0], [2.0], [4.0], [7.0], [8.0]]);
+    /// # Ok::<(), lucerna_nurbs::NurbsError>(())
+    /// ```
+    ///
     /// # Errors
     /// As for [`insert_knot`](Self::insert_knot).
     pub fn refine(&self, knots: &[T]) -> Result<Self, NurbsError> {

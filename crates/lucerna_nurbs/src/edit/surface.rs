@@ -31,6 +31,16 @@ impl<T: Real> Surface<T> {
 
     /// Inserts many knots at once in one direction, in any order, repeated or not (A5.5).
     ///
+    /// ```
+    /// use lucerna_nurbs::{Curve, Direction};
+    ///
+    /// let wall = Curve::line([0.0; 3], [4.0, 0.0, 0.0])?.extrude([0.0, 2.0, 0.0])?;
+    /// let refined = wall.refine(Direction::U, &[0.5, 0.25])?;
+    /// assert_eq!(refined.points()[2], [1.0, 0.0, 0.0]);
+    /// assert_eq!(refined.points().len(), 8);
+    /// # Ok::<(), lucerna_nurbs::NurbsError>(())
+    /// ```
+    ///
     /// # Errors
     /// As for [`insert_knot`](Self::insert_knot).
     pub fn refine(&self, direction: Direction, knots: &[T]) -> Result<Self, NurbsError> {
@@ -79,6 +89,18 @@ impl<T: Real> Surface<T> {
     /// The same surface on knots that are clamped in both directions. Knots before and behind the
     /// domain are dropped.
     ///
+    /// ```
+    /// use lucerna_nurbs::{KnotVector, Surface};
+    ///
+    /// let along = KnotVector::<f64>::clamped_uniform(1, 2)?;
+    /// let corners = [[0., 0.], [2., 0.], [2., 2.], [0., 2.]];
+    /// let net = corners.iter().flat_map(|&[x, z]| [[x, 0., z], [x, 1., z]]).collect();
+    /// let tube = Surface::closed_u(2, along, net, None)?.clamp()?;
+    /// assert!(tube.knots_u().is_clamped());
+    /// assert_eq!(tube.points()[0], [1., 0., 0.]);
+    /// # Ok::<(), lucerna_nurbs::NurbsError>(())
+    /// ```
+    ///
     /// # Errors
     /// When the coordinates are so large that sums overflow.
     pub fn clamp(&self) -> Result<Self, NurbsError> {
@@ -89,6 +111,16 @@ impl<T: Real> Surface<T> {
 
     /// The part between two parameters of one direction, with the parameters it had, clamped in that
     /// direction.
+    ///
+    /// ```
+    /// use lucerna_nurbs::{Curve, Direction};
+    ///
+    /// let wall = Curve::line([0.0; 3], [4.0, 0.0, 0.0])?.extrude([0.0, 2.0, 0.0])?;
+    /// let part = wall.trim(Direction::U, 0.25, 0.5)?;
+    /// assert_eq!(part.knots_u().domain(), (0.25, 0.5));
+    /// assert_eq!(part.points()[2], [2.0, 0.0, 0.0]);
+    /// # Ok::<(), lucerna_nurbs::NurbsError>(())
+    /// ```
     ///
     /// # Errors
     /// When a parameter is NaN or outside the domain, or `a` is not below `b`.
@@ -153,6 +185,14 @@ impl<T: Real> Surface<T> {
     /// The same surface with a degree higher by `by` in one direction, clamped in that direction
     /// (as A5.10).
     ///
+    /// ```
+    /// use lucerna_nurbs::{Curve, Direction};
+    ///
+    /// let wall = Curve::line([0.0; 3], [4.0, 0.0, 0.0])?.extrude([0.0, 2.0, 0.0])?;
+    /// assert_eq!(wall.elevate(Direction::V, 1)?.points()[1], [0.0, 1.0, 0.0]);
+    /// # Ok::<(), lucerna_nurbs::NurbsError>(())
+    /// ```
+    ///
     /// # Errors
     /// When the degree would exceed [`MAX_DEGREE`](crate::MAX_DEGREE).
     pub fn elevate(&self, direction: Direction, by: usize) -> Result<Self, NurbsError> {
@@ -163,6 +203,15 @@ impl<T: Real> Surface<T> {
 
     /// The surface run through the other way in one direction, on the same domain. Its normals
     /// turn over.
+    ///
+    /// ```
+    /// use lucerna_nurbs::{Curve, Direction};
+    ///
+    /// let wall = Curve::line([0.0; 3], [4.0, 0.0, 0.0])?.extrude([0.0, 2.0, 0.0])?;
+    /// assert_eq!(wall.reverse(Direction::U)?.point(0.25, 0.0)?, [3.0, 0.0, 0.0]);
+    /// assert_eq!(wall.reverse(Direction::U)?.normal(0.5, 0.5)?, [0.0, 0.0, -1.0]);
+    /// # Ok::<(), lucerna_nurbs::NurbsError>(())
+    /// ```
     ///
     /// # Errors
     /// When knots that differ by rounding alone fall together and are too many.

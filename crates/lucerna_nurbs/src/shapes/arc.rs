@@ -48,6 +48,13 @@ fn direction(start: f64, angle: f64, eighth: Option<usize>) -> (f64, f64) {
 impl<T: Real, const D: usize> Curve<T, D> {
     /// The straight line from `a` to `b`, on the domain 0 to 1.
     ///
+    /// ```
+    /// use lucerna_nurbs::Curve;
+    ///
+    /// assert_eq!(Curve::line([0.0, 0.0], [4.0, 2.0])?.point(0.25)?, [1.0, 0.5]);
+    /// # Ok::<(), lucerna_nurbs::NurbsError>(())
+    /// ```
+    ///
     /// # Errors
     /// When a coordinate is not finite.
     pub fn line(a: [T; D], b: [T; D]) -> Result<Self, NurbsError> {
