@@ -16,9 +16,6 @@ pub struct Bounds<T, const D: usize> {
     pub max: [T; D],
 }
 
-/// How often patches are halved at most.
-const HALVINGS: usize = 1 << 14;
-
 impl<T: Real, const D: usize> Bounds<T, D> {
     fn of(points: impl Iterator<Item = [T; D]>) -> Self {
         let mut bounds = Self { min: [T::MAX; D], max: [-T::MAX; D] };
@@ -85,8 +82,8 @@ impl<T: Real> Surface<T> {
     }
 
     /// A box in which the surface lies, to rounding, and which exceeds the smallest such box by no
-    /// more than `tolerance` at each side, or by a little more where 16384 patches do not suffice:
-    /// about a millionth of the size where the surface touches the box along a curve.
+    /// more than `tolerance` at each side, or by a little more where thousands of patches do not
+    /// suffice: for tolerances near rounding where the surface touches the box along a curve.
     ///
     /// ```
     /// use lucerna_nurbs::Surface;
@@ -116,6 +113,7 @@ struct Candidate<const D: usize> {
 
 /// Halves the patch that reaches out farthest until none does by more than the tolerance.
 fn tighten<T: Real, const D: usize>(patches: Vec<Patch<D>>, tolerance: f64) -> Bounds<T, D> {
+    let halvings = Patch::halvings(&patches);
     // Around points that the shape certainly has.
     let mut known = Bounds::of(patches.iter().flat_map(Patch::corners).map(|(_, point)| point));
     let candidate = |patch: Patch<D>, known: &Bounds<f64, D>| {
@@ -124,7 +122,7 @@ fn tighten<T: Real, const D: usize>(patches: Vec<Patch<D>>, tolerance: f64) -> B
     };
     let mut heap: BinaryHeap<_> = patches.into_iter().map(|patch| candidate(patch, &known)).collect();
     let mut settled = Vec::new();
-    for _ in 0..HALVINGS {
+    for _ in 0..halvings {
         let Some(farthest) = heap.pop() else { break };
         // The known box may have grown since.
         if known.excess(&farthest.hull) <= tolerance {

@@ -48,6 +48,13 @@ impl<const D: usize> Patch<D> {
         self.points.iter().copied().zip(self.weights.iter().copied())
     }
 
+    /// How often patches like this one may be halved in a search: less often where they have many
+    /// points, for the sake of memory.
+    pub(crate) fn halvings(patches: &[Self]) -> usize {
+        let points = patches.first().map_or(1, |patch| patch.points.len());
+        ((1 << 20) / points).clamp(1 << 8, 1 << 14)
+    }
+
     /// The control points.
     pub(crate) fn hull(&self) -> impl Iterator<Item = [f64; D]> {
         self.points.iter().zip(&self.weights).map(|(point, w)| point.map(|x| x / w))

@@ -39,8 +39,6 @@ pub struct SurfacePoint<T> {
     pub distance: T,
 }
 
-/// How often patches are halved at most: reached only where much of a shape is at the same distance.
-const HALVINGS: usize = 1 << 14;
 /// By how much of the distance a point that is not the closest may be missed.
 const SLACK: f64 = 1e-9;
 
@@ -49,7 +47,7 @@ impl<T: Real, const D: usize> Curve<T, D> {
     /// there are several.
     ///
     /// No other point is closer by more than a billionth of the distance, unless so much of the
-    /// curve is so nearly as close that 16384 pieces do not tell (the centre of a circle).
+    /// curve is so nearly as close that thousands of pieces do not tell (the centre of a circle).
     ///
     /// ```
     /// use lucerna_nurbs::Curve;
@@ -85,7 +83,7 @@ impl<T: Real> Surface<T> {
     /// there are several.
     ///
     /// No other point is closer by more than a billionth of the distance, unless so much of the
-    /// surface is so nearly as close that 16384 patches do not tell (the centre of a sphere).
+    /// surface is so nearly as close that thousands of patches do not tell (the centre of a sphere).
     ///
     /// ```
     /// use lucerna_nurbs::Surface;
@@ -166,6 +164,7 @@ fn search<const D: usize>(
     domain: [[f64; 2]; 2],
     jet: impl Fn([f64; 2]) -> Result<Jet<D>, NurbsError>,
 ) -> Result<[f64; 2], NurbsError> {
+    let halvings = Patch::halvings(&patches);
     let start = [domain[0][0], domain[1][0]];
     let nearest = |patch: &Patch<D>| {
         let corners = patch.corners().map(|(at, point)| (at, length(point)));
@@ -175,7 +174,7 @@ fn search<const D: usize>(
     let best = corners.fold((start, f64::INFINITY), |a, b| if b.1 < a.1 { b } else { a });
     let mut best = polish(best, domain, &jet)?;
     let mut heap: BinaryHeap<_> = patches.into_iter().map(Candidate::new).collect();
-    for _ in 0..HALVINGS {
+    for _ in 0..halvings {
         let Some(candidate) = heap.pop() else { break };
         if candidate.least >= best.1 * (1.0 - SLACK) - f64::EPSILON {
             break;

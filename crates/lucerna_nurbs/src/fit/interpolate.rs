@@ -21,10 +21,14 @@ pub(crate) fn interpolate<T: Real>(
     for (k, &t) in parameters.iter().enumerate() {
         let basis = knots.basis(t, 0);
         for (&n, j) in basis.row(0).iter().zip(basis.first()..) {
-            // Functions farther off vanish there, unless rounding has moved a knot past.
-            if n != 0.0 && j.abs_diff(k) <= degree {
-                matrix.add(k, j, n);
+            if n == 0.0 {
+                continue;
             }
+            // Functions farther off vanish there, unless rounding has moved a knot past.
+            if j.abs_diff(k) > degree {
+                return Err(NurbsError::Undetermined { index: k });
+            }
+            matrix.add(k, j, n);
         }
     }
     matrix.factor()?;
