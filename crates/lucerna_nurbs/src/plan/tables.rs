@@ -1,36 +1,8 @@
 //! A plan as bytes, for an evaluator on a graphics device.
 //!
-//! The bytes are 32-bit words, little endian, as a WGSL `array<u32>` in a storage buffer reads them;
-//! numbers that are not counts are `f32`, to be read with `bitcast<f32>`.
-//!
-//! | word | meaning |
-//! |---|---|
-//! | 0 | columns of cells |
-//! | 1 | rows of cells |
-//! | 2 | vertices |
-//! | 3 | flags: 1 flip, 2 a pole at the lower end of v, 4 a pole at the upper end, 8 v is open |
-//! | 4 | `n_v`, control points along v: point (i, j) of the net is number `i * n_v + j` |
-//! | 5 | control points that a sample along u depends on, `p` |
-//! | 6 | control points that a sample along v depends on, `q` |
-//! | 7 | where the samples along u start, in words: `columns + 1` of them |
-//! | 8 | where the samples along v start: `rows + 1` of them |
-//! | 9 | where the middles of the columns start: `columns` of them, or 0 without poles |
-//! | 10 | control points of a net |
-//! | 11 to 15 | 0 |
-//!
-//! A sample along u takes `1 + 3 p` words: its place, 0 to 1; the numbers of `p` control rows; their
-//! `p` values; their `p` slopes, of which only the directions matter. Likewise along v, with `q`.
-//!
-//! Vertex `k`, one for each thread: the first row has `c = columns + 1` vertices, one less at a pole.
-//! Row and column are `0, k` below `c`, else `1 + (k - c) / (columns + 1)` and the remainder. At a
-//! pole take the u sample from the middles. With `P` the control points, less one of those that the
-//! vertex depends on (differences keep their digits), and `w` their weights, sum up
-//! `A = sum N_i M_j w_ij P_ij`, likewise `W` without `P`, and with slopes for values their derivatives
-//! along u, along v and along both. Then `S = A / W`, `Su = (Au - Wu S) / W`, likewise `Sv`, and
-//! `Suv = (Auv - Wuv S - Wu Sv - Wv Su) / W` (The NURBS Book, A4.4). The normal is that of `Su x Sv`;
-//! in the first and last row of an open v, where `Su` vanishes, of `Suv x Sv` and of its opposite.
-//! At a pole the position is that of the u sample 0, so that all vertices there agree bit for bit.
-//! Seams agree because the samples there do.
+//! The layout, and what a thread does with it, is in `docs/nurbs.md`; `tests/grids/tables.rs` does it.
+//! At a pole, threads take the position of the u sample 0, so that all agree bit for bit; seams agree
+//! because the samples there do.
 
 use alloc::vec::Vec;
 
