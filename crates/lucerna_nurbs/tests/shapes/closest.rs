@@ -1,9 +1,8 @@
 //! The closest point, and bounding boxes.
 
-mod nets;
-
+use crate::nets;
+use crate::nets::{Noise, size};
 use lucerna_nurbs::{Curve, NurbsError, Surface};
-use nets::{Noise, size};
 
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()

@@ -1,7 +1,6 @@
 //! What is written is read again; what is wrong is refused.
 
-mod nets;
-
+use crate::nets;
 use lucerna_nurbs::{Closure, Curve, GridOptions, KnotVector, Spacing, Surface};
 
 #[test]

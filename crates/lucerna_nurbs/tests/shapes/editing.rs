@@ -1,10 +1,8 @@
 //! Editing leaves curves and surfaces where they are.
 
-mod nets;
-mod oracle;
-
+use crate::nets::{parameters, size};
+use crate::{nets, oracle};
 use lucerna_nurbs::{Curve, Direction, KnotVector, NurbsError, Surface};
-use nets::{parameters, size};
 
 /// The largest difference of two curves on the domain of the first, by the size of the second.
 fn moved(a: &Curve<f64, 3>, b: &Curve<f64, 3>) -> f64 {

@@ -1,8 +1,6 @@
 //! Values of curves and surfaces by another way: the Cox-de Boor recursion with its derivatives by
 //! the product rule, in double-double arithmetic (about 31 digits).
 
-#![allow(dead_code, reason = "each test uses a part")]
-
 use lucerna_nurbs::{Curve, KnotVector, Surface};
 use std::ops::{Add, Div, Mul, Sub};
 

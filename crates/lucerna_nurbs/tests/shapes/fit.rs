@@ -1,9 +1,8 @@
 //! Interpolation and least squares.
 
-mod nets;
-
+use crate::nets;
+use crate::nets::Noise;
 use lucerna_nurbs::{Curve, FitSample, NurbsError, Real, Spacing, Surface};
-use nets::Noise;
 
 fn difference<T: Real, const D: usize>(a: [T; D], b: [T; D]) -> f64 {
     a.iter().zip(b).fold(0.0, |most: f64, (&a, b)| most.max((a - b).abs().to_f64()))

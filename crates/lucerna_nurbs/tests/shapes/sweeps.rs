@@ -1,7 +1,6 @@
 //! Shapes made from curves: arcs, revolution, extrusion, ruled and lofted surfaces.
 
-mod nets;
-
+use crate::nets;
 use lucerna_nurbs::{Curve, Direction, KnotVector, NurbsError, Surface};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

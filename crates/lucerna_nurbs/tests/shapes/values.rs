@@ -1,7 +1,6 @@
 //! Points and derivatives against the recursion in double-double arithmetic.
 
-mod nets;
-mod oracle;
+use crate::{nets, oracle};
 
 fn largest_difference<const D: usize>(a: [f64; D], b: [f64; D]) -> f64 {
     a.iter().zip(b).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))

@@ -1,7 +1,5 @@
 //! Surfaces and curves of every kind, for tests that hold for all of them.
 
-#![allow(dead_code, reason = "each test uses a part")]
-
 use lucerna_nurbs::{Curve, KnotVector, Surface};
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 
@@ -32,7 +30,10 @@ pub(crate) fn size(points: &[[f64; 3]]) -> f64 {
 pub(crate) fn parameters(knots: &KnotVector<f64>, samples: usize) -> Vec<f64> {
     let (lo, hi) = knots.domain();
     let even = (0..=samples).map(|k| if k == samples { hi } else { lo + (hi - lo) * k as f64 / samples as f64 });
-    even.chain(knots.as_slice().iter().copied().filter(|&t| t >= lo && t <= hi)).collect()
+    let mut all: Vec<f64> = even.chain(knots.as_slice().iter().copied().filter(|&t| t >= lo && t <= hi)).collect();
+    all.sort_unstable_by(f64::total_cmp);
+    all.dedup();
+    all
 }
 
 /// Knots of a degree: clamped, with double or triple knots, uneven, unclamped, periodic.
