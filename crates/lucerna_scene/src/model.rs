@@ -64,7 +64,7 @@ pub enum AirAdvection {
     MacCormack,
     /// Two half steps and a reflection between them: keeps the energy of eddies, at about four times the cost.
     Reflection,
-    /// From where the air was, by monotone cubics.
+    /// From where the air was, by cubics that make no new extremes.
     Cubic,
 }
 
@@ -79,7 +79,7 @@ pub enum HeatAdvection {
     Flux,
     /// As semi-Lagrangian, and its error estimated and taken out again.
     MacCormack,
-    /// From where the air was, by monotone cubics.
+    /// From where the air was, by cubics that make no new extremes.
     Cubic,
 }
 

@@ -11,7 +11,7 @@ pub(crate) struct Scheme {
 /// The ways to carry velocity.
 pub(crate) const SCHEMES: &[Scheme] = &[
     Scheme { name: "semi-Lagrangian", set: |builder| builder.advection(Advection::SemiLagrangian) },
-    Scheme { name: "monotone cubic", set: |builder| builder.advection(Advection::Cubic) },
+    Scheme { name: "cubic", set: |builder| builder.advection(Advection::Cubic) },
     Scheme { name: "MacCormack (default)", set: |builder| builder.advection(Advection::MacCormack) },
     Scheme { name: "reflection", set: |builder| builder.advection(Advection::Reflection) },
 ];
@@ -19,7 +19,7 @@ pub(crate) const SCHEMES: &[Scheme] = &[
 /// The ways to carry a scalar.
 pub(crate) const SCALAR_SCHEMES: &[Scheme] = &[
     Scheme { name: "semi-Lagrangian", set: |builder| builder.scalar_advection(ScalarAdvection::SemiLagrangian) },
-    Scheme { name: "monotone cubic", set: |builder| builder.scalar_advection(ScalarAdvection::Cubic) },
+    Scheme { name: "cubic", set: |builder| builder.scalar_advection(ScalarAdvection::Cubic) },
     Scheme { name: "MacCormack", set: |builder| builder.scalar_advection(ScalarAdvection::MacCormack) },
     Scheme { name: "flux (default)", set: |builder| builder.scalar_advection(ScalarAdvection::Flux) },
 ];

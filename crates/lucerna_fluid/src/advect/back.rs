@@ -4,7 +4,7 @@ use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
 use super::corners::corners;
-use super::cubic::{self, Padded};
+use super::cubic;
 use super::sample::{LANES, Lattice, V, active, blend, bounds, least, load, most, places, ramp, store};
 use super::trace::Ways;
 use crate::grid::Grid;
@@ -56,8 +56,8 @@ pub(super) struct Backward<'a, const WRAPS: bool> {
     pub(super) ways: &'a Ways,
     pub(super) kind: Kind,
     pub(super) from: Lattice<'a>,
-    /// A copy of it to interpolate cubically.
-    pub(super) padded: Option<Padded<'a>>,
+    /// Its second differences, to interpolate cubically.
+    pub(super) bends: Option<[Lattice<'a>; 3]>,
     /// Of the values that are written.
     pub(super) counts: [usize; 3],
     pub(super) outside: Outside<'a>,
@@ -126,8 +126,8 @@ impl<const WRAPS: bool> PlaneKernel<f32> for Backward<'_, WRAPS> {
                 let at = [here[0] - way[0], here[1] - way[1], here[2] - way[2]];
                 let lanes = active(nx, first);
                 let places = places::<S, WRAPS>(simd, &self.from, at);
-                let mut values = match &self.padded {
-                    Some(padded) => cubic::sample(simd, padded, &places, lanes),
+                let mut values = match &self.bends {
+                    Some(bends) => cubic::sample(simd, &self.from, bends, &places, lanes),
                     None => blend(corners(simd, &self.from, &places, lanes), &places),
                 };
                 if inlets.any && !places.are_inside(lanes) {

@@ -1,8 +1,8 @@
 //! Carries fields along traced ways, by the scheme asked for.
 
 use super::back::{Backward, Correction, Kind, Outside};
-use super::copy::{padded, padded_counts, wrapped, wrapped_counts};
-use super::cubic::Padded;
+use super::copy::{wrapped, wrapped_counts};
+use super::cubic::{Bends, take_bends};
 use super::flux::Flow;
 use super::sample::Lattice;
 use super::trace::{Motion, Ways};
@@ -20,8 +20,8 @@ pub(crate) struct Carrier {
     velocity: [Vec<f32>; 3],
     /// Such a copy of what is carried.
     from: Vec<f32>,
-    /// A copy to interpolate cubically.
-    padded: Vec<f32>,
+    /// What interpolates it cubically.
+    bends: Bends,
     /// By face, 1 where something may pass and 0 beside solid cells.
     pub(super) open: [Vec<f32>; 3],
     /// What is carried in the second half of a step with a reflection.
@@ -51,8 +51,8 @@ impl From<super::Advection> for Scheme {
     fn from(scheme: super::Advection) -> Self {
         match scheme {
             super::Advection::SemiLagrangian => Self::Linear,
-            super::Advection::MacCormack | super::Advection::Reflection => Self::MacCormack,
-            super::Advection::Cubic => Self::Cubic,
+            super::Advection::MacCormack => Self::MacCormack,
+            super::Advection::Cubic | super::Advection::Reflection => Self::Cubic,
         }
     }
 }
@@ -144,11 +144,11 @@ impl Carrier {
         } else {
             Lattice::new(values, counts, periods)
         };
-        let padded = (scheme == Scheme::Cubic).then(|| {
-            padded(grid, values, counts, kind.0, &mut self.padded);
-            Padded::new(&self.padded, padded_counts(copy_counts))
+        let bends = (scheme == Scheme::Cubic).then(|| {
+            take_bends(grid.exec, &from, &mut self.bends);
+            self.bends.each_ref().map(|bends| Lattice::new(bends, copy_counts, periods))
         });
-        let back = Backward::<WRAPS> { grid, ways: &self.ways, kind, from, padded, counts, outside };
+        let back = Backward::<WRAPS> { grid, ways: &self.ways, kind, from, bends, counts, outside };
         if scheme != Scheme::MacCormack || !self.has_forth {
             return run_planes(grid.exec, out, plane, partials, &back).sum;
         }

@@ -1,114 +1,104 @@
-//! Monotone cubic samples: Hermite interpolation along one axis after the other, with slopes
-//! that never overshoot (F. Fritsch and R. Carlson, SIAM J. Numer. Anal. 17, 1980; R. Fedkiw,
-//! J. Stam, H. W. Jensen, *Visual Simulation of Smoke*, SIGGRAPH 2001, appendix B).
+//! Cubic samples, which never pass the eight values around a place: third order where the field
+//! is smooth (R. Bermejo and A. Staniforth, *The Conversion of Semi-Lagrangian Advection Schemes
+//! to Quasi-Monotone Schemes*, Mon. Weather Rev. 120, 1992).
+//!
+//! To the trilinear sample is added, along each axis, what the cubic through the two values on
+//! either side has more than a line: the second differences at both, weighted (Lagrange). This
+//! is a product of three cubics to fourth order. The differences are taken beforehand, and then
+//! sampled at the same places.
 
-use fearless_simd::prelude::*;
-use fearless_simd::{Simd, mask32x16};
+use fearless_simd::Simd;
 
-use super::sample::{I, LANES, Places, V, counted, least};
+use super::corners::corners;
+use super::sample::{Lattice, Places, V, blend, bounds, least, mix, most};
+use crate::parallel::{Execution, for_planes};
 
-/// A lattice with one value more before the first and after the last along each axis that has
-/// more than one, and sixteen values more at either end of the array.
-#[derive(Clone, Copy)]
-pub(super) struct Padded<'a> {
-    data: &'a [f32],
-    counts: [usize; 3],
-    steps: [usize; 3],
-}
+/// Second differences of a lattice along each axis; empty along an axis with fewer than three
+/// values, on which there is only a line.
+pub(super) type Bends = [Vec<f32>; 3];
 
-impl<'a> Padded<'a> {
-    /// For counts with what was added.
-    pub(super) fn new(data: &'a [f32], counts: [usize; 3]) -> Self {
-        let strides = [1, counts[0], counts[0] * counts[1]];
-        let steps = std::array::from_fn(|axis| if counts[axis] > 1 { strides[axis] } else { 0 });
-        Self { data, counts, steps }
-    }
-}
-
-/// Lanes that are read from the same shift.
-struct Groups<S: Simd> {
-    count: usize,
-    from: [usize; LANES],
-    lanes: [mask32x16<S>; LANES],
-}
-
-impl<S: Simd> Groups<S> {
-    #[inline(always)]
-    fn new(simd: S, base: I<S>, active: u64) -> Self {
-        let shift = base - counted(simd);
-        let shifts = *shift.as_array();
-        let none = mask32x16::splat(simd, false);
-        let mut groups = Self { count: 0, from: [0; LANES], lanes: [none; LANES] };
-        let mut pending = active;
-        while pending != 0 {
-            let from = shifts[pending.trailing_zeros() as usize % LANES];
-            let lanes = shift.simd_eq(I::splat(simd, from));
-            groups.from[groups.count] = (from + LANES as i32) as usize;
-            groups.lanes[groups.count] = lanes;
-            groups.count += 1;
-            pending &= !lanes.to_bitmask();
+/// Takes the second differences of `lattice`. At the ends of an axis the one inside stands for
+/// the one that is not there, which makes the cubic there a parabola.
+pub(super) fn take_bends(exec: Execution, lattice: &Lattice, bends: &mut Bends) {
+    let [nx, ny, nz] = lattice.counts;
+    let plane = nx * ny;
+    for (axis, bends) in bends.iter_mut().enumerate() {
+        let (count, step) = (lattice.counts[axis], lattice.steps[axis]);
+        if count < 3 {
+            bends.clear();
+            continue;
         }
-        groups
-    }
-
-    /// The values `ahead` of each lane's base.
-    #[inline(always)]
-    fn load(&self, simd: S, data: &[f32], ahead: usize) -> V<S> {
-        let mut values = V::from_slice(simd, &data[self.from[0] + ahead..][..LANES]);
-        for group in 1..self.count.min(LANES) {
-            let others = V::from_slice(simd, &data[self.from[group] + ahead..][..LANES]);
-            values = self.lanes[group].select(others, values);
-        }
-        values
-    }
-}
-
-/// Samples at sixteen places of a lattice, of which `padded` is the padded copy.
-#[inline(always)]
-pub(super) fn sample<S: Simd>(simd: S, padded: &Padded, places: &Places<S>, active: u64) -> V<S> {
-    let Places { wholes: [x, y, z], shares: [fx, fy, fz], .. } = *places;
-    let [nx, ny, _] = padded.counts;
-    // The value before the whole part: its index in the padded copy is the whole part itself.
-    let groups = Groups::new(simd, x + (y + z * ny as i32) * nx as i32, active);
-    let [dx, dy, dz] = padded.steps;
-    let zero = V::splat(simd, 0.0);
-    let mut planes = [zero; 4];
-    for (k, plane) in planes.iter_mut().enumerate() {
-        let mut rows = [zero; 4];
-        for (j, row) in rows.iter_mut().enumerate() {
-            let mut values = [zero; 4];
-            for (i, value) in values.iter_mut().enumerate() {
-                *value = groups.load(simd, padded.data, i * dx + j * dy + k * dz);
+        bends.resize(plane * nz, 0.0);
+        // Around which value, and the steps to the ones below and above. A lattice that repeats
+        // itself has its first value again behind its last.
+        let stencil = |at: usize| match at {
+            0 if lattice.is_periodic(axis) => (0, count - 2, 1),
+            last if last + 1 == count && lattice.is_periodic(axis) => (0, count - 2, 1),
+            at => {
+                let middle = at.clamp(1, count - 2);
+                (middle, middle - 1, middle + 1)
             }
-            *row = hermite(simd, values, fx);
-        }
-        *plane = hermite(simd, rows, fy);
+        };
+        for_planes(
+            exec,
+            bends,
+            plane,
+            #[inline(always)]
+            |k, out| {
+                for (j, row) in out.chunks_exact_mut(nx).enumerate() {
+                    let first = nx * (j + ny * k);
+                    if axis == 0 {
+                        let values = &lattice.data[first..first + nx];
+                        for (i, three) in values.windows(3).enumerate() {
+                            row[i + 1] = (three[2] - three[1]) - (three[1] - three[0]);
+                        }
+                        for i in [0, nx - 1] {
+                            let (middle, below, above) = stencil(i);
+                            row[i] = (values[above] - values[middle]) - (values[middle] - values[below]);
+                        }
+                    } else {
+                        let at = [0, j, k][axis];
+                        let (middle, below, above) = stencil(at);
+                        let line = |at_axis: usize| &lattice.data[first - at * step + at_axis * step..][..nx];
+                        let values = line(below).iter().zip(line(middle)).zip(line(above));
+                        for (out, ((below, middle), above)) in row.iter_mut().zip(values) {
+                            *out = (above - middle) - (middle - below);
+                        }
+                    }
+                }
+            },
+        );
     }
-    hermite(simd, planes, fz)
 }
 
-/// Between the second and the third of four values, at `share` of the way; never beyond them.
+/// Samples at sixteen places of `lattice`, whose second differences are `bends`.
 #[inline(always)]
-fn hermite<S: Simd>(simd: S, [before, low, high, after]: [V<S>; 4], share: V<S>) -> V<S> {
-    let rise = high - low;
-    let start = slope(simd, low - before, rise);
-    let end = slope(simd, after - high, rise);
-    let curve = start + end - rise * 2.0;
-    let bend = rise * 3.0 - start * 2.0 - end;
-    let value = low + ((curve * share + bend) * share + start) * share;
-    // Rounding may still overshoot.
-    let is_rising = rise.simd_gt(V::splat(simd, 0.0));
-    let (least_value, most_value) = (is_rising.select(low, high), is_rising.select(high, low));
-    let value = value.simd_lt(least_value).select(least_value, value);
-    least(value, most_value)
-}
-
-/// The mean of two differences, at most three times either; zero at an extreme.
-#[inline(always)]
-fn slope<S: Simd>(simd: S, beside: V<S>, rise: V<S>) -> V<S> {
-    let zero = V::splat(simd, 0.0);
-    let mean = (beside + rise) * 0.5;
-    let size = least(mean.abs(), least(beside.abs(), rise.abs()) * 3.0);
-    let size = (beside * rise).simd_gt(zero).select(size, zero);
-    rise.simd_gt(zero).select(size, zero - size)
+pub(super) fn sample<S: Simd>(
+    simd: S,
+    lattice: &Lattice,
+    bends: &[Lattice; 3],
+    places: &Places<S>,
+    active: u64,
+) -> V<S> {
+    let values = corners(simd, lattice, places, active);
+    let mut value = blend(values, places);
+    for axis in 0..3 {
+        if !bends[axis].data.is_empty() {
+            let [first, second] = [[1, 2], [0, 2], [0, 1]][axis];
+            let bends = corners(simd, &bends[axis], places, active);
+            let share = places.shares[axis];
+            let mut ends = [share; 2];
+            for (end, bend) in ends.iter_mut().enumerate() {
+                // The four at this end of the cell along the axis.
+                let at = |a: usize, b: usize| bends[end << axis | a << first | b << second];
+                let near = mix(at(0, 0), at(1, 0), places.shares[first]);
+                let far = mix(at(0, 1), at(1, 1), places.shares[first]);
+                *bend = mix(near, far, places.shares[second]);
+            }
+            let [low, high] = ends;
+            value += (low * (2.0 - share) + high * (share + 1.0)) * (share * (share - 1.0)) * (1.0 / 6.0);
+        }
+    }
+    let (lowest, highest) = bounds(&values);
+    most(least(value, highest), lowest)
 }

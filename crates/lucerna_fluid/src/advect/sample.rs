@@ -36,6 +36,10 @@ impl<'a> Lattice<'a> {
     pub(super) fn counts(&self) -> [usize; 3] {
         self.counts
     }
+
+    pub(super) fn is_periodic(&self, axis: usize) -> bool {
+        self.periods[axis] > 0.0
+    }
 }
 
 /// Where sixteen samples are to be taken.
@@ -134,7 +138,7 @@ pub(super) fn places<S: Simd, const WRAPS: bool>(simd: S, lattice: &Lattice, at:
 
 /// Linear interpolation, exact where both values are the same.
 #[inline(always)]
-fn mix<S: Simd>(a: V<S>, b: V<S>, share: V<S>) -> V<S> {
+pub(super) fn mix<S: Simd>(a: V<S>, b: V<S>, share: V<S>) -> V<S> {
     a + share * (b - a)
 }
 

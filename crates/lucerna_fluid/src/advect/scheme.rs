@@ -14,14 +14,15 @@ pub enum Advection {
     /// J. Sci. Comput. 35, 2008). Second order.
     #[default]
     MacCormack,
-    /// Two half steps of `MacCormack` with a projection between them, whose correction is applied
+    /// Two half steps of `Cubic` with a projection between them, whose correction is applied
     /// twice (J. Zehnder, R. Narain, B. Thomaszewski, *An Advection-Reflection Solver for
-    /// Detail-Preserving Fluid Simulation*, SIGGRAPH 2018). Keeps the energy of eddies; costs
-    /// about twice as much. Where hot air expands, [`Advection::MacCormack`] instead.
+    /// Detail-Preserving Fluid Simulation*, SIGGRAPH 2018). Second order in time, third in space:
+    /// the most accurate, it keeps the energy of eddies; costs about twice as much. Where hot air
+    /// expands, one step of `Cubic`.
     Reflection,
-    /// Semi-Lagrangian with monotone cubic interpolation (R. Fedkiw, J. Stam, H. W. Jensen,
-    /// *Visual Simulation of Smoke*, SIGGRAPH 2001, appendix B). Third order where smooth; never
-    /// overshoots.
+    /// Semi-Lagrangian with cubic interpolation, clamped to the eight values around the place (R.
+    /// Bermejo, A. Staniforth, *The Conversion of Semi-Lagrangian Advection Schemes to
+    /// Quasi-Monotone Schemes*, Mon. Weather Rev. 120, 1992). Third order in space where smooth.
     Cubic,
 }
 

@@ -9,7 +9,9 @@ pub(crate) enum End {
     Given,
     /// The last value lies on the side, and there is no gradient across.
     Mirror,
-    /// Half a cell beyond the last value the side holds a value of its own.
+    /// Half a cell beyond the last value the side holds a value of its own. The gradient there is
+    /// that of the parabola through it and the last two values, `(8 w - 9 a + b) / 3`: with a
+    /// straight line, `2 (w - a)`, the error of the second derivative would not fall with the grid.
     Held,
     /// Half a cell beyond the last value there is no gradient.
     Free,
@@ -39,17 +41,25 @@ pub(crate) struct Circle {
     pub(crate) share: [f32; MAX_AXIS_CELLS + 1],
 }
 
+/// How much more strongly than neighbours are linked the last value of a line of `count` feels
+/// what the side holds, and its neighbour: see [`End::Held`]. Both stay positive, so that no
+/// maximum rises. A value alone has only the straight line.
+pub(super) fn held_weights(count: usize) -> [f64; 2] {
+    if count > 1 { [8.0 / 3.0, 1.0 / 3.0] } else { [2.0, 0.0] }
+}
+
 impl Line {
     /// For `count` values and the diffusion number `r`.
     pub(crate) fn new(count: usize, r: f64, ends: [End; 2]) -> Self {
         let zeros = [0.0; MAX_AXIS_CELLS + 1];
         let is_cyclic = ends[0] == End::Cyclic;
+        let [held, beside] = held_weights(count);
         let mut line = Self {
             count,
             scale: zeros,
             carry: zeros,
             back: zeros,
-            held: ends.map(|end| if end == End::Held { (2.0 * r) as f32 } else { 0.0 }),
+            held: ends.map(|end| if end == End::Held { (held * r) as f32 } else { 0.0 }),
             circle: None,
         };
         let full = 1.0 + 2.0 * r;
@@ -65,7 +75,10 @@ impl Line {
                 match ends[end] {
                     End::Given => (diagonal, *inner) = (1.0, 0.0),
                     End::Mirror => *inner = 2.0 * r,
-                    End::Held => diagonal += r,
+                    End::Held => {
+                        diagonal += (held + beside - 1.0) * r;
+                        *inner += beside * r;
+                    }
                     End::Free => diagonal -= r,
                     End::Cyclic if node == 0 => diagonal += full,
                     End::Cyclic => diagonal += r * r / full,

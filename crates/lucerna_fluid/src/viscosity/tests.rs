@@ -30,8 +30,14 @@ fn applied(grid: &Grid, component: usize, values: &[f64], r: [f64; 3], wind: f64
                     _ if is_circle => to((i % period + if is_up { 1 } else { period - 1 }) % period),
                     _ if inside => to(if is_up { i + 1 } else { i - 1 }),
                     Side::Open if component == axis => to(if is_up { i - 1 } else { i + 1 }),
-                    Side::NoSlip => -to(i),
-                    Side::Inflow => 2.0 * wind - to(i),
+                    // On the parabola through the side's value and the last two; with one, on the line.
+                    Side::NoSlip | Side::Inflow => {
+                        let held = if grid.sides[axis][usize::from(is_up)] == Side::NoSlip { 0.0 } else { wind };
+                        match counts[axis] {
+                            1 => 2.0 * held - to(i),
+                            _ => (8.0 * held - 6.0 * to(i) + to(if is_up { i - 1 } else { i + 1 })) / 3.0,
+                        }
+                    }
                     _ => to(i),
                 }
             };

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::line::End;
+use super::line::{End, held_weights};
 use crate::limits::MAX_AXIS_CELLS;
 use crate::sides::Wall;
 
@@ -164,7 +164,9 @@ impl Varying<'_> {
         for (node, link) in links[..count].iter_mut().enumerate().skip(1) {
             *link = between(node - 1, node);
         }
-        let mut ends = Ends { held: [[0.0; LANES]; 2], wrap: [[0.0; LANES]; 2] };
+        let zero = [[0.0; LANES]; 2];
+        let mut ends = Ends { held: zero, beside: zero, wrap: zero };
+        let [held, beside] = held_weights(count).map(|weight| weight as f32);
         for (end, node) in [0, count - 1].into_iter().enumerate() {
             if axis.ends[end] == End::Held {
                 let number = number(node);
@@ -173,8 +175,12 @@ impl Varying<'_> {
                     Wall::Same(value) => [value; LANES],
                     Wall::Each(values) => std::array::from_fn(|lane| values[lines.start + lane.min(lines.len() - 1)]),
                 };
+                let beside_is_free = if count > 1 { self.free(job, lines, [1, count - 2][end]) } else { free };
                 for lane in 0..LANES {
-                    ends.held[end][lane] = 2.0 * r * number[lane] * free[lane];
+                    // Between a side and a solid there is only the straight line.
+                    let [held, beside] = if beside_is_free[lane] > 0.0 { [held, beside] } else { [2.0, 0.0] };
+                    ends.beside[end][lane] = beside * r * number[lane] * free[lane];
+                    ends.held[end][lane] = held * r * number[lane] * free[lane];
                     values[node][lane] += ends.held[end][lane] * wall[lane];
                 }
             }
@@ -195,6 +201,8 @@ impl Varying<'_> {
 struct Ends {
     /// Weight of what the sides hold.
     held: [Lanes; 2],
+    /// What that adds to the links of the first value and the last with those beside them.
+    beside: [Lanes; 2],
     /// Links of the first value to the last and of the last to the first.
     wrap: [Lanes; 2],
 }
@@ -227,7 +235,13 @@ fn eliminate(
                     End::Given => (lower, upper) = ([0.0; LANES], [0.0; LANES]),
                     End::Mirror if end == 0 => upper = upper.map(|link| 2.0 * link),
                     End::Mirror => lower = lower.map(|link| 2.0 * link),
-                    End::Held => (0..LANES).for_each(|lane| own[lane] += ends.held[end][lane]),
+                    End::Held => {
+                        let inner = if end == 0 { &mut upper } else { &mut lower };
+                        for lane in 0..LANES {
+                            own[lane] += ends.held[end][lane];
+                            inner[lane] += ends.beside[end][lane];
+                        }
+                    }
                     End::Free | End::Cyclic => {}
                 }
             }

@@ -1,22 +1,23 @@
 //! Cavities: driven by a lid, and by heat.
 
-use lucerna_fluid::{Fluid, GRAVITY_M_S2, Side, SideAt, Sides, Vec3};
+use lucerna_fluid::{Advection, Fluid, GRAVITY_M_S2, Side, SideAt, Sides, Vec3};
 
 #[path = "../../examples/validate/published.rs"]
 #[allow(dead_code, reason = "the example plots more")]
 mod published;
 
-use published::{DE_VAHL_DAVIS, GHIA_100_U, GHIA_100_V, Profile};
+use published::{BOTELLA_1000_U, BOTELLA_1000_V, DE_VAHL_DAVIS, GHIA_100_U, GHIA_100_V, Profile};
 
 const CELLS: usize = 64;
 
 /// A square metre with walls that hold the air, and a lid of 1 m/s, after `end_s` seconds.
-fn driven(reynolds: f32, end_s: f32) -> Fluid {
+fn driven(reynolds: f32, end_s: f32, advection: Advection) -> Fluid {
     let (no_slip, edge) = ([Side::NoSlip; 2], 1.0 / CELLS as f32);
     let mut fluid = Fluid::builder([CELLS, CELLS, 1])
         .size_m(Vec3::new(1.0, 1.0, edge))
         .sides(Sides { x: no_slip, y: no_slip, ..Sides::CLOSED })
         .viscosity_m2_s(1.0 / reynolds)
+        .advection(advection)
         .build()
         .unwrap();
     fluid.set_side_velocity(SideAt::Top, |_| Vec3::X).unwrap();
@@ -48,7 +49,7 @@ fn extremes(fluid: &Fluid, axis: usize) -> [f64; 2] {
 
 #[test]
 fn a_lid_driven_cavity_matches_the_spectral_values_at_re_100() {
-    let fluid = driven(100.0, 25.0);
+    let fluid = driven(100.0, 25.0, Advection::default());
     // Botella and Peyret 1998, table 8: extremes on the centrelines.
     let [least_u, _] = extremes(&fluid, 0);
     let [least_v, most_v] = extremes(&fluid, 1);
@@ -58,6 +59,18 @@ fn a_lid_driven_cavity_matches_the_spectral_values_at_re_100() {
     assert!(off_extremes.into_iter().all(|off| off.abs() < 0.01), "{off_extremes:?}");
     // The table itself is off by up to 0.009.
     assert!(off.into_iter().all(|off| off < 0.019), "{off:?}");
+}
+
+#[test]
+fn the_best_scheme_matches_the_spectral_values_at_re_1000() {
+    let fluid = driven(1000.0, 50.0, Advection::Reflection);
+    // Botella and Peyret 1998: extremes on the centrelines.
+    let [least_u, _] = extremes(&fluid, 0);
+    let [least_v, most_v] = extremes(&fluid, 1);
+    let off_extremes = [least_u + 0.388_569_8, least_v + 0.527_077_1, most_v - 0.376_944_7];
+    let off = off(&fluid, [BOTELLA_1000_U, BOTELLA_1000_V]);
+    println!("cavity Re 1000, 64^2, reflection: extremes off by {off_extremes:.4?}; off the tables by {off:.4?}");
+    assert!(off_extremes.into_iter().chain(off).all(|off| off.abs() < 0.03), "{off_extremes:?} {off:?}");
 }
 
 /// Mean Nusselt number of a square hot on the left and cold on the right: heat through the box
