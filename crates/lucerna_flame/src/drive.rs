@@ -45,26 +45,30 @@ impl Source {
         let high = (self.position + reach - fluid.origin()) / cell;
         let [nx, ny, nz] = fluid.cells();
         let range = |low: f32, high: f32, n: usize| low as usize..((high + 1.0).max(0.0) as usize).min(n);
-        let near = |i: usize, j: usize, k: usize, fluid: &Fluid| {
-            let centre = fluid.origin() + cell * (Vec3::new(i as f32, j as f32, k as f32) + 0.5);
-            let tent = (Vec3::ONE - (centre - self.position).abs() / reach).max(Vec3::ZERO);
-            (centre, tent.x * tent.y * tent.z)
-        };
-        let cells = || {
-            let (xs, ys, zs) = (range(low.x, high.x, nx), range(low.y, high.y, ny), range(low.z, high.z, nz));
-            zs.flat_map(move |k| ys.clone().map(move |j| (j, k)))
-                .flat_map(move |(j, k)| xs.clone().map(move |i| (i, j, k)))
-        };
-        let total: f32 = cells().map(|(i, j, k)| near(i, j, k, fluid).1).sum();
+        let ranges = [range(low.x, high.x, nx), range(low.y, high.y, ny), range(low.z, high.z, nz)];
+        let (origin, cell_m) = (fluid.origin().to_array(), cell.to_array());
+        let (position, reach) = (self.position.to_array(), reach.to_array());
+        let centre = |axis: usize, index: usize| origin[axis] + cell_m[axis] * (index as f32 + 0.5);
+        let tent =
+            |axis: usize, index: usize| (1.0 - (centre(axis, index) - position[axis]).abs() / reach[axis]).max(0.0);
+        let sum = |axis: usize| ranges[axis].clone().map(|index| tent(axis, index)).sum::<f32>();
+        let total = sum(0) * sum(1) * sum(2);
         if total <= 0.0 {
             return Ok(());
         }
         // The same momentum on any grid: that of a cube of air with the edge `reach_m`.
         let each = self.acceleration_m_s2 * reach_m.powi(3) / (cell.x * cell.y * cell.z) / total;
-        for (i, j, k) in cells() {
-            let (centre, weight) = near(i, j, k, fluid);
-            if weight > 0.0 {
-                fluid.add_acceleration(centre, Vec3::Y * (each * weight).min(1e5))?;
+        let [xs, ys, zs] = ranges.clone();
+        for k in zs {
+            for j in ys.clone() {
+                let row = each * tent(1, j) * tent(2, k);
+                for i in xs.clone() {
+                    let push = row * tent(0, i);
+                    if push > 0.0 {
+                        let at = Vec3::new(centre(0, i), centre(1, j), centre(2, k));
+                        fluid.add_acceleration(at, Vec3::Y * push.min(1e5))?;
+                    }
+                }
             }
         }
         Ok(())

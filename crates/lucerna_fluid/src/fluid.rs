@@ -57,7 +57,8 @@ pub(crate) struct State {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sources {
     pub(crate) acceleration: [Vec<f32>; 3],
-    pub(crate) has_acceleration: bool,
+    /// By axis.
+    pub(crate) has_acceleration: [bool; 3],
     /// K/s, by cell.
     pub(crate) heat: Vec<f32>,
     pub(crate) has_heat: bool,
@@ -73,8 +74,10 @@ pub(crate) struct Sources {
 impl Sources {
     pub(crate) fn clear(&mut self) {
         self.placed.clear();
-        if std::mem::take(&mut self.has_acceleration) {
-            self.acceleration.iter_mut().for_each(|values| values.fill(0.0));
+        for (values, is_there) in self.acceleration.iter_mut().zip(&mut self.has_acceleration) {
+            if std::mem::take(is_there) {
+                values.fill(0.0);
+            }
         }
         if std::mem::take(&mut self.has_heat) {
             self.heat.fill(0.0);

@@ -194,7 +194,7 @@ impl Fluid {
                 max_speed_m_s: self.max_speed_m_s,
             },
             pending: Pending {
-                acceleration: acceleration.each_ref().map(|values| when(has_acceleration, values)),
+                acceleration: [0, 1, 2].map(|axis| when(&has_acceleration[axis], &acceleration[axis])),
                 heat: when(has_heat, heat),
                 expansion: when(has_expansion, expansion),
                 scalars: if *has_scalars { scalars.clone() } else { Vec::new() },
@@ -255,7 +255,7 @@ impl Snapshot {
         fluid.solids = self.solids.as_ref().map(|solids| Box::new(Solids::from_saved(solids, &fluid.grid)));
         let Pending { acceleration, heat, expansion, scalars, placed: _ } = self.pending.clone();
         fluid.sources = Sources {
-            has_acceleration: acceleration.iter().any(|values| !values.is_empty()),
+            has_acceleration: acceleration.each_ref().map(|values| !values.is_empty()),
             acceleration,
             has_heat: !heat.is_empty(),
             heat,

@@ -82,9 +82,9 @@ impl Fluid {
             settings.ambient_k,
             dt_s,
         );
-        if sources.has_acceleration {
-            for (field, acceleration) in velocity.iter_mut().zip(&sources.acceleration) {
-                forces::accelerate(grid, field, acceleration, dt_s);
+        for (axis, field) in velocity.iter_mut().enumerate() {
+            if sources.has_acceleration[axis] {
+                forces::accelerate(grid, field, &sources.acceleration[axis], dt_s);
             }
         }
         sources.placed.push(grid, air, &state.temperature.data, velocity, dt_s);

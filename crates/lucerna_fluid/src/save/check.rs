@@ -36,9 +36,8 @@ impl Snapshot {
         }
         // Placed sources are checked as they are placed.
         let Pending { acceleration, heat, expansion, scalars, placed: _ } = &self.pending;
-        let has_acceleration = acceleration.iter().any(|values| !values.is_empty());
         for (values, faces) in acceleration.iter().zip(faces) {
-            let faces = if has_acceleration { faces } else { 0 };
+            let faces = if values.is_empty() { 0 } else { faces };
             array("acceleration", values, faces, MAX_ACCELERATION_M_S2)?;
         }
         array("heat", heat, if heat.is_empty() { 0 } else { count }, MAX_HEATING_K_S)?;

@@ -21,9 +21,12 @@ impl Fluid {
         let Some([i, j, k]) = self.grid.cell_of_point(point) else { return Ok(()) };
         let cell = i + self.grid.cells[0] * (j + self.grid.cells[1] * k);
         let faces = [0, 1, 2].map(|axis| faces(&self.grid, axis, cell));
-        for (axis, values) in self.accelerations().iter_mut().enumerate() {
-            for at in faces[axis] {
-                values[at] = add_clamped(values[at], 0.5 * acceleration[axis], MAX_ACCELERATION_M_S2);
+        for axis in 0..3 {
+            if acceleration[axis] != 0.0 {
+                let values = self.accelerations(axis);
+                for at in faces[axis] {
+                    values[at] = add_clamped(values[at], 0.5 * acceleration[axis], MAX_ACCELERATION_M_S2);
+                }
             }
         }
         Ok(())
@@ -42,7 +45,7 @@ impl Fluid {
         let acceleration = check_acceleration(Vec3::new(0.0, acceleration_m_s2, 0.0))?.y;
         let [nx, ny, _] = self.grid.face_counts(1);
         let [_, above] = faces(&self.grid, 1, j * nx);
-        for plane in self.accelerations()[1].chunks_exact_mut(nx * ny) {
+        for plane in self.accelerations(1).chunks_exact_mut(nx * ny) {
             for row in [j * nx, above] {
                 for value in &mut plane[row..row + nx] {
                     *value = add_clamped(*value, 0.5 * acceleration, MAX_ACCELERATION_M_S2);
@@ -52,14 +55,13 @@ impl Fluid {
         Ok(())
     }
 
-    /// The accelerations by axis, of the faces' sizes, about to be added to.
-    fn accelerations(&mut self) -> &mut [Vec<f32>; 3] {
+    /// The accelerations along an axis, of its faces' size, about to be added to.
+    fn accelerations(&mut self, axis: usize) -> &mut [f32] {
         let sources = &mut self.sources;
-        sources.has_acceleration = true;
-        for (axis, values) in sources.acceleration.iter_mut().enumerate() {
-            values.resize(self.grid.face_counts(axis).iter().product(), 0.0);
-        }
-        &mut sources.acceleration
+        sources.has_acceleration[axis] = true;
+        let values = &mut sources.acceleration[axis];
+        values.resize(self.grid.face_counts(axis).iter().product(), 0.0);
+        values
     }
 
     /// Heats a smooth ball during the coming step: `kelvin_per_s` (within ±1e6, negative cools)

@@ -180,7 +180,7 @@ fn what_does_not_fit_is_refused_by_name() {
     assert_eq!(refused(&["state", "packs"], json!([])), length("scalars", 0, 1));
     assert_eq!(refused(&["state", "packs", "0"], json!([])), length("scalars", 0, 504));
     assert_eq!(refused(&["pending", "heat"], json!([1.0])), length("heat", 1, 504));
-    assert_eq!(refused(&["pending", "acceleration", "0"], json!([])), length("acceleration", 0, 10 * 7 * 8));
+    assert_eq!(refused(&["pending", "acceleration", "0"], json!([1.0])), length("acceleration", 1, 10 * 7 * 8));
     assert_eq!(refused(&["pending", "scalars"], json!([[]])), length("scalar sources", 1, 2));
     for (path, field) in
         [(["state", "velocity", "2", "5"], "velocity"), (["pending", "acceleration", "2", "5"], "acceleration")]
