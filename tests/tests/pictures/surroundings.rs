@@ -97,8 +97,10 @@ fn a_wick_inside_a_flame_hides_what_is_behind_it_and_nothing_beside_it() {
                     (1..=4).any(|by| i >= by && i + by < covered.len() && near(by)) && light(whole[i]) > 0.2 * most,
                 );
             } else {
+                // Where soot begins within the interval, its opacity may round to the next half float.
+                let quantum = (-24.0_f32).exp2();
                 assert!(
-                    light(cut[i]) <= light(whole[i]) && cut[i][3] <= whole[i][3],
+                    light(cut[i]) <= light(whole[i]) && cut[i][3] <= whole[i][3] + quantum,
                     "{shading:?}: pixel {i} of the wick"
                 );
                 before += light(cut[i]);
