@@ -51,8 +51,11 @@ pub const COMPOSE: &str = concat!(
 /// Debug lines: `vs_line`, `fs_line`.
 pub const LINES: &str = concat!(include_str!("../wgsl/common.wgsl"), include_str!("../wgsl/lines.wgsl"));
 
+/// Vertices of flames from control nets: `cs_evaluate`, a compute pass.
+pub const EVALUATE: &str = include_str!("../wgsl/evaluate.wgsl");
+
 /// All modules by name.
-pub const ALL: [(&str, &str); 8] = [
+pub const ALL: [(&str, &str); 9] = [
     ("opaque", OPAQUE),
     ("peel", PEEL),
     ("shell", SHELL),
@@ -61,4 +64,5 @@ pub const ALL: [(&str, &str); 8] = [
     ("blur", BLUR),
     ("compose", COMPOSE),
     ("lines", LINES),
+    ("evaluate", EVALUATE),
 ];

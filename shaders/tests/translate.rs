@@ -69,7 +69,7 @@ fn glsl_es() {
             )
             .and_then(|mut writer| writer.write())
             .unwrap_or_else(|e| panic!("{name}/{}: {e}", entry.name));
-            assert!(matches!(entry.stage, ShaderStage::Vertex | ShaderStage::Fragment));
+            assert!(matches!(entry.stage, ShaderStage::Vertex | ShaderStage::Fragment | ShaderStage::Compute));
         }
     }
 }

@@ -91,6 +91,27 @@ pub fn read(device: &wgpu::Device, queue: &wgpu::Queue, texture: &wgpu::Texture)
     mapped.chunks(padded as usize).flat_map(|line| &line[..row as usize]).copied().collect()
 }
 
+/// The first bytes of a buffer.
+///
+/// # Panics
+/// If the GPU does not answer within half a minute.
+#[must_use]
+pub fn read_buffer(device: &wgpu::Device, queue: &wgpu::Queue, from: &wgpu::Buffer, size: u64) -> Vec<u8> {
+    let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("read-back"),
+        size,
+        usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    });
+    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    encoder.copy_buffer_to_buffer(from, 0, &buffer, 0, size);
+    queue.submit([encoder.finish()]);
+    buffer.slice(..).map_async(wgpu::MapMode::Read, |_| ());
+    let wait = wgpu::PollType::Wait { submission_index: None, timeout: Some(Duration::from_secs(30)) };
+    device.poll(wait).expect("the GPU answers");
+    buffer.slice(..).get_mapped_range().expect("mapped").to_vec()
+}
+
 /// A half-precision number.
 #[must_use]
 pub fn half(bits: u16) -> f32 {

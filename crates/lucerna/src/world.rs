@@ -3,7 +3,7 @@
 use crate::air;
 use crate::error::WorldError;
 use crate::report::{DebugLines, StepSummary};
-use lucerna_flame::{FlameSettings, Flames};
+use lucerna_flame::{FlameSettings, Flames, Surfaces};
 use lucerna_fluid::Fluid;
 use lucerna_frame::{Frame, LineVertex};
 use lucerna_scene::LoadedScene;
@@ -26,6 +26,7 @@ pub struct World {
     flames: Flames,
     /// Time that was asked for but not yet stepped, s.
     owed_s: f64,
+    surfaces: Surfaces,
     debug: DebugLines,
     lines: Vec<LineVertex>,
     mesh_revision: u64,
@@ -48,8 +49,16 @@ impl World {
     pub fn new(scene: LoadedScene) -> Result<Self, WorldError> {
         let fluid = air::build(&scene.scene.air)?;
         let flames = Flames::new(settings(&scene)?, scene.scene.seed)?;
-        let (debug, lines) = (DebugLines::default(), Vec::new());
-        let mut world = Self { scene, fluid, flames, owed_s: 0.0, debug, lines, mesh_revision: new_mesh_revision() };
+        let mut world = Self {
+            scene,
+            fluid,
+            flames,
+            owed_s: 0.0,
+            surfaces: Surfaces::default(),
+            debug: DebugLines::default(),
+            lines: Vec::new(),
+            mesh_revision: new_mesh_revision(),
+        };
         world.build();
         Ok(world)
     }
@@ -96,6 +105,9 @@ impl World {
     }
 
     fn build(&mut self) {
+        // The wireframe is drawn from vertices.
+        let surfaces = if self.debug.wireframe { Surfaces::Vertices } else { self.surfaces };
+        self.flames.set_surfaces(surfaces);
         self.flames.build();
         self.draw_lines();
     }
@@ -165,8 +177,22 @@ impl World {
     /// Chooses the debug lines that [`World::frame`] carries.
     pub fn set_debug_lines(&mut self, lines: DebugLines) {
         if self.debug != lines {
+            let rebuilds = self.debug.wireframe != lines.wireframe && self.surfaces != Surfaces::Vertices;
             self.debug = lines;
-            self.draw_lines();
+            if rebuilds {
+                self.build();
+            } else {
+                self.draw_lines();
+            }
+        }
+    }
+
+    /// Chooses where the flames' vertices are made: here, which is the default, or by the renderer. While the
+    /// wireframe is shown they are made here. Nothing that burns depends on it.
+    pub fn set_surfaces(&mut self, surfaces: Surfaces) {
+        if self.surfaces != surfaces {
+            self.surfaces = surfaces;
+            self.build();
         }
     }
 
@@ -207,6 +233,7 @@ impl World {
             flame_vertices: self.flames.vertices(),
             flame_indices: self.flames.indices(),
             flame_draws: self.flames.draws(),
+            flame_nets: self.flames.nets(),
             flame_shades: self.flames.shades(),
             lights: self.flames.lights(),
             meshes: &self.scene.meshes,

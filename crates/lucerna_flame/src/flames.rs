@@ -4,16 +4,23 @@ use crate::air::Air;
 use crate::flame::{Flame, Source};
 use crate::light::{LightGroup, add_light};
 use crate::random::{Fnv, hash};
-use crate::surface::{PlanKey, SurfacePlan};
+use crate::surface::{PlanKey, SurfacePlan, Surfaces};
 use crate::{FlameError, FlameSettings};
-use lucerna_frame::{FlameDraw, FlameShade, FlameVertex, Light};
+use lucerna_frame::{FlameDraw, FlameGrid, FlameNet, FlameNets, FlameShade, FlameVertex, Light};
 use rayon::prelude::*;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The most flames of one world.
 ///
 /// With twelve free flames each, a renderer can still number all surfaces with 15 bits.
 pub const MAX_FLAMES: usize = 2520;
+
+/// A number that no other grids of this program have: one renderer can serve several worlds.
+fn new_grid_revision() -> u64 {
+    static NEXT: AtomicU64 = AtomicU64::new(1);
+    NEXT.fetch_add(1, Ordering::Relaxed)
+}
 
 /// Flames that burn in the same air.
 ///
@@ -42,11 +49,17 @@ pub const MAX_FLAMES: usize = 2520;
 pub struct Flames {
     pub(crate) flames: Vec<Flame>,
     plans: Vec<(Arc<SurfacePlan>, u32)>,
+    /// What a renderer needs of each plan.
+    grids: Vec<FlameGrid>,
+    grid_revision: u64,
+    surfaces: Surfaces,
     seed: u64,
     time_s: f64,
     steps: u64,
     sources: Vec<Source>,
     vertices: Vec<FlameVertex>,
+    points: Vec<[f32; 4]>,
+    nets: Vec<FlameNet>,
     indices: Vec<u32>,
     draws: Vec<FlameDraw>,
     shades: Vec<FlameShade>,
@@ -67,7 +80,7 @@ impl Flames {
 
     /// Lights flames; those whose wick is that of the same flame of `old` take over its centreline.
     fn light(settings: Vec<FlameSettings>, seed: u64, old: &[Flame]) -> Result<Self, FlameError> {
-        let mut flames = Self { seed, ..Self::default() };
+        let mut flames = Self { seed, grid_revision: new_grid_revision(), ..Self::default() };
         if settings.len() > MAX_FLAMES {
             return Err(FlameError::Count { field: "fires.wicks", count: settings.len(), allowed: "up to 2520" });
         }
@@ -91,7 +104,7 @@ impl Flames {
         for (flame, old) in next.flames.iter_mut().zip(&self.flames) {
             flame.inherit(old);
         }
-        (next.time_s, next.steps) = (self.time_s, self.steps);
+        (next.time_s, next.steps, next.surfaces) = (self.time_s, self.steps, self.surfaces);
         *self = next;
         Ok(())
     }
@@ -113,6 +126,7 @@ impl Flames {
         }
         let plan = Arc::new(SurfacePlan::new(key)?);
         self.plans.push((Arc::clone(&plan), self.indices.len() as u32));
+        self.grids.push(plan.tables());
         self.indices.extend_from_slice(plan.indices());
         Ok(plan)
     }
@@ -137,28 +151,44 @@ impl Flames {
         self.steps += 1;
     }
 
+    /// Chooses where vertices are made, from the next [`build`](Self::build) on. Nothing that burns depends on it.
+    pub fn set_surfaces(&mut self, surfaces: Surfaces) {
+        self.surfaces = surfaces;
+    }
+
     /// Makes the surfaces and lights of this moment.
     pub fn build(&mut self) {
-        self.flames.par_iter_mut().for_each(Flame::build);
+        let surfaces = self.surfaces;
+        self.flames.par_iter_mut().for_each(|flame| flame.build(surfaces));
         self.vertices.clear();
+        self.points.clear();
+        self.nets.clear();
         self.draws.clear();
         self.shades.clear();
         self.lights.clear();
         self.light_groups.iter_mut().for_each(LightGroup::clear);
+        let mut first_vertex = 0;
         for (flame, &group) in self.flames.iter().zip(&self.group_of) {
-            for (surface, shade, free) in flame.surfaces() {
+            for (surface, net, shade, free) in flame.surfaces() {
                 let plan = if free { &flame.free_plan } else { &flame.plan };
-                let start = self.plans.iter().find(|(p, _)| Arc::ptr_eq(p, plan)).map_or(0, |(_, start)| *start);
-                let (first, index) = (self.vertices.len(), self.draws.len() as u32);
-                self.vertices.extend(surface.vertices.iter().map(|v| FlameVertex { flame: index, ..*v }));
+                let grid = self.plans.iter().position(|(p, _)| Arc::ptr_eq(p, plan)).unwrap_or(0);
+                let index = self.draws.len() as u32;
+                if surfaces == Surfaces::Vertices {
+                    self.vertices.extend(surface.vertices.iter().map(|v| FlameVertex { flame: index, ..*v }));
+                } else {
+                    self.nets.push(FlameNet { grid: grid as u32, first_point: self.points.len() as u32 });
+                    let heights = surface.columns.iter().cycle();
+                    self.points.extend(net.iter().zip(heights).map(|(&[x, y, z], &height)| [x, y, z, height]));
+                }
                 self.draws.push(FlameDraw {
-                    first_vertex: first as u32,
-                    vertex_count: surface.vertices.len() as u32,
-                    first_index: start,
+                    first_vertex,
+                    vertex_count: plan.vertex_count() as u32,
+                    first_index: self.plans[grid].1,
                     index_count: plan.indices().len() as u32,
                 });
+                first_vertex += plan.vertex_count() as u32;
                 self.shades.push(shade);
-                add_light(surface, plan, &shade, flame.body, free, &mut self.light_groups[group]);
+                add_light(&surface.sections, &shade, flame.body, free, &mut self.light_groups[group]);
             }
         }
         self.lights.extend(self.light_groups.iter().flat_map(LightGroup::lights));
@@ -169,10 +199,20 @@ impl Flames {
     pub fn time_s(&self) -> f64 {
         self.time_s
     }
-    /// The vertices of all surfaces, one after the other.
+    /// The vertices of all surfaces, one after the other; none where the renderer is to make them.
     #[must_use]
     pub fn vertices(&self) -> &[FlameVertex] {
         &self.vertices
+    }
+    /// The control nets of all surfaces, where the renderer is to make the vertices.
+    #[must_use]
+    pub fn nets(&self) -> Option<FlameNets<'_>> {
+        (self.surfaces == Surfaces::Nets).then_some(FlameNets {
+            grids: &self.grids,
+            grid_revision: self.grid_revision,
+            points: &self.points,
+            nets: &self.nets,
+        })
     }
     /// Triangle indices, relative to each flame's first vertex.
     #[must_use]

@@ -23,6 +23,7 @@ mod net;
 pub mod params;
 mod random;
 mod roots;
+mod section;
 mod surface;
 mod wick;
 
@@ -32,4 +33,5 @@ pub use flame::Source;
 pub use flames::{Flames, MAX_FLAMES};
 pub use params::{FlameSettings, Fuel, FuelDistribution, FuelForm, Skeletons, SurfaceGrid, Swing, WickShape};
 pub use roots::{LeadRoot, PeripheralRoot, Roots, lead_of_row};
+pub use surface::Surfaces;
 pub use wick::{Centreline, MAX_WICK_POINTS};

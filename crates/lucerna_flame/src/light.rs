@@ -4,7 +4,7 @@
 //! A / 2 of it per length; times the soot's extinction and the black body's radiance this is radiant
 //! intensity. Thick flames hide a part of themselves: (1 - e^-tau) / tau gets out.
 
-use crate::surface::{Surface, SurfacePlan};
+use crate::section::Section;
 use glam::Vec3;
 use lucerna_frame::{FlameShade, Light};
 
@@ -78,44 +78,22 @@ fn soot(shade: &FlameShade, height: f32) -> f32 {
     t * t * (3.0 - 2.0 * t) * tip
 }
 
-/// Adds the light of one surface to its group; that of a free flame goes to the tip's. `body` is the black body's
+/// Adds the light of one surface, cut from tip to root, to its group; that of a free flame goes to the tip's. `body` is the black body's
 /// colour at the soot's temperature.
-pub(crate) fn add_light(
-    surface: &Surface,
-    plan: &SurfacePlan,
-    shade: &FlameShade,
-    body: Vec3,
-    is_free: bool,
-    group: &mut LightGroup,
-) {
+pub(crate) fn add_light(sections: &[Section], shade: &FlameShade, body: Vec3, is_free: bool, group: &mut LightGroup) {
     let color = body * Vec3::from(shade.tint) * shade.strength;
-    let up = plan.key.up;
-    let mut above = section(surface, plan, 0);
-    for ring in 1..=up {
-        let below = section(surface, plan, ring);
-        // Rings run clockwise seen from above, so their area vectors point down, as the rings follow each other.
-        let volume = (0.5 * (above.1 + below.1)).dot(below.0 - above.0).max(0.0);
-        let height = 0.5 * (surface.rings[ring - 1][0] + surface.rings[ring][0]);
-        let radius = 0.5 * (surface.rings[ring - 1][1] + surface.rings[ring][1]);
+    for pair in sections.windows(2) {
+        let (above, below) = (&pair[0], &pair[1]);
+        let volume = (0.5 * (above.area + below.area)).dot(below.middle - above.middle).max(0.0);
+        let height = 0.5 * (above.height + below.height);
+        let radius = 0.5 * (above.radius_m + below.radius_m);
         let extinction = shade.soot_per_m * soot(shade, height);
         let tau = (extinction * radius).max(1e-6);
         let power = 0.5 * volume * extinction * (-tau).exp_m1() / -tau;
         let part = if is_free { LIGHTS - 1 } else { ((height * LIGHTS as f32) as usize).min(LIGHTS - 1) };
-        group.add(part, power, 0.5 * (above.0 + below.0), radius, color);
-        above = below;
+        group.add(part, power, 0.5 * (above.middle + below.middle), radius, color);
     }
 }
-
-/// The mean point and the area vector of a ring of vertices.
-fn section(surface: &Surface, plan: &SurfacePlan, ring: usize) -> (Vec3, Vec3) {
-    let ring = &surface.vertices[plan.ring(ring)];
-    // The last vertex repeats the first.
-    let once = &ring[1..];
-    let middle = once.iter().map(|v| Vec3::from(v.position)).sum::<Vec3>() / once.len() as f32;
-    let twice = ring.windows(2).map(|w| (Vec3::from(w[0].position) - middle).cross(Vec3::from(w[1].position) - middle));
-    (middle, 0.5 * twice.sum::<Vec3>())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

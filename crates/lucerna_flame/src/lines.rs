@@ -47,10 +47,11 @@ impl Flames {
         }
     }
 
-    /// Adds the edges of all triangles.
+    /// Adds the edges of all triangles; none where the renderer is to make the vertices.
     pub fn wireframe_lines(&self, out: &mut Vec<LineVertex>) {
         for draw in self.draws() {
-            let vertices = &self.vertices()[draw.first_vertex as usize..][..draw.vertex_count as usize];
+            let vertices = draw.first_vertex as usize..(draw.first_vertex + draw.vertex_count) as usize;
+            let Some(vertices) = self.vertices().get(vertices) else { return };
             let indices = &self.indices()[draw.first_index as usize..][..draw.index_count as usize];
             let at = |i: u32| Vec3::from(vertices.get(i as usize).unwrap_or(&FlameVertex::default()).position);
             for t in indices.chunks_exact(3) {

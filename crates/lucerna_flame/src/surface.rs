@@ -1,9 +1,23 @@
-//! From a control net to the vertices of a closed surface.
+//! From a control net to a closed surface: its vertices, or what a renderer needs to make them.
 
 use crate::FlameError;
+use crate::section::Section;
 use glam::Vec3;
-use lucerna_frame::FlameVertex;
+use lucerna_frame::{FlameGrid, FlameVertex};
 use lucerna_nurbs::{Closure, GridOptions, GridPlan, KnotVector, Scratch};
+
+/// Where the vertices of flames are made.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Surfaces {
+    /// Here: [`Flames::vertices`](crate::Flames::vertices) has them.
+    #[default]
+    Vertices,
+    /// By the renderer, from the control nets of [`Flames::nets`](crate::Flames::nets).
+    Nets,
+}
+
+/// Half thickness of a flame that has none, m.
+pub(crate) const THINNEST_M: f32 = 1e-5;
 
 /// What determines a plan.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,6 +74,10 @@ impl SurfacePlan {
     pub(crate) fn vertex_count(&self) -> usize {
         self.grid.vertex_count()
     }
+    /// What a renderer needs to evaluate nets of this size.
+    pub(crate) fn tables(&self) -> FlameGrid {
+        FlameGrid { tables: self.grid.tables_as_bytes() }
+    }
     pub(crate) fn indices(&self) -> &[u32] {
         self.grid.indices()
     }
@@ -78,18 +96,43 @@ impl SurfacePlan {
 /// Vertices and memory of one surface.
 #[derive(Debug, Default)]
 pub(crate) struct Surface {
+    /// Empty, or of another moment, where the renderer makes them.
     pub(crate) vertices: Vec<FlameVertex>,
-    /// Per ring: height, half thickness.
-    pub(crate) rings: Vec<[f32; 2]>,
+    /// One for each ring of vertices.
+    pub(crate) sections: Vec<Section>,
+    /// Heights of the net's columns.
+    pub(crate) columns: Vec<f32>,
     scratch: Scratch<f32>,
-    columns: Vec<f32>,
+    ring: Vec<Vec3>,
 }
 
 impl Surface {
-    /// Fills the vertices from a net of `rows` x `columns` control points.
-    pub(crate) fn build(&mut self, plan: &SurfacePlan, net: &[[f32; 3]]) {
+    /// Measures a net of `rows` x `columns` control points, and makes the vertices where they are asked for.
+    pub(crate) fn build(&mut self, plan: &SurfacePlan, net: &[[f32; 3]], surfaces: Surfaces) {
+        self.measure_columns(plan, net);
+        self.cut(plan, net);
+        if surfaces == Surfaces::Vertices {
+            self.evaluate(plan, net);
+        }
+    }
+
+    /// Cuts the surface at every ring of vertices.
+    fn cut(&mut self, plan: &SurfacePlan, net: &[[f32; 3]]) {
+        self.sections.clear();
+        for weights in plan.weights.chunks_exact(plan.key.columns) {
+            self.ring.clear();
+            self.ring.extend(
+                net.chunks_exact(plan.key.columns).map(|row| {
+                    row.iter().zip(weights).map(|(point, weight)| Vec3::from(*point) * *weight).sum::<Vec3>()
+                }),
+            );
+            let height: f32 = weights.iter().zip(&self.columns).map(|(w, h)| w * h).sum();
+            self.sections.push(Section::of(&self.ring, height.clamp(0.0, 1.0)));
+        }
+    }
+
+    fn evaluate(&mut self, plan: &SurfacePlan, net: &[[f32; 3]]) {
         self.vertices.resize(plan.vertex_count(), FlameVertex::default());
-        self.rings.resize(plan.key.up + 1, [0.0; 2]);
         let vertices = &mut self.vertices;
         // Nets are finite and of the plan's size, so this does not fail; if it did, the last surface would stay.
         let _ = plan.grid.evaluate(net, None, &mut self.scratch, |i, v| {
@@ -97,16 +140,11 @@ impl Surface {
             vertices[i].normal = v.normal;
             vertices[i].uv = [v.u, 1.0 - v.v];
         });
-        self.measure_columns(plan, net);
-        for ring in 0..=plan.key.up {
+        for (ring, section) in self.sections.iter().enumerate() {
             let range = plan.ring(ring);
-            let weights = &plan.weights[ring * plan.key.columns..][..plan.key.columns];
-            let height: f32 = weights.iter().zip(&self.columns).map(|(w, h)| w * h).sum();
-            let height = height.clamp(0.0, 1.0);
             let radius = half_thickness(&self.vertices[range.clone()]);
-            self.rings[ring] = [height, radius];
             for vertex in &mut self.vertices[range] {
-                vertex.height = height;
+                vertex.height = section.height;
                 vertex.radius_m = radius;
             }
         }
@@ -139,5 +177,5 @@ fn half_thickness(ring: &[FlameVertex]) -> f32 {
         let (a, b) = (Vec3::from(ring[i].position), Vec3::from(ring[last - i].position));
         widest = widest.max(a.distance_squared(b));
     }
-    (0.5 * widest.sqrt()).max(1e-5)
+    (0.5 * widest.sqrt()).max(THINNEST_M)
 }

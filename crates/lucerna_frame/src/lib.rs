@@ -10,12 +10,14 @@ mod camera;
 mod color;
 mod flame;
 mod look;
+mod nets;
 mod scene;
 
 pub use camera::Camera;
 pub use color::{adaptation, blackbody_chromaticity, blackbody_rgb};
 pub use flame::{FlameDraw, FlameShade, FlameVertex};
 pub use look::{Blur, DebugView, GlowLevel, Look, Shading, ToneMap, Transparency};
+pub use nets::{FlameGrid, FlameNet, FlameNets};
 pub use scene::{Light, LineVertex, MeshVertex, OpaqueMesh};
 
 /// Everything that is drawn in one frame, borrowed from whoever owns it.
@@ -29,6 +31,9 @@ pub struct Frame<'a> {
     pub flame_indices: &'a [u32],
     /// One entry a flame: which vertices and indices it has.
     pub flame_draws: &'a [FlameDraw],
+    /// The control nets that the renderer is to make the vertices from. Then `flame_vertices` is empty, and
+    /// `flame_draws` count the vertices to be made.
+    pub flame_nets: Option<FlameNets<'a>>,
     /// How each flame is shaded, in the order of `flame_draws`.
     pub flame_shades: &'a [FlameShade],
     /// The point lights that stand for the flames' luminous volumes.

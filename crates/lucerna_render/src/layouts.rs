@@ -16,27 +16,17 @@ pub(crate) struct Layouts {
     pub(crate) volume: BindGroupLayout,
     pub(crate) blur: BindGroupLayout,
     pub(crate) compose: BindGroupLayout,
+    pub(crate) evaluate: BindGroupLayout,
 }
 
 impl Layouts {
     pub(crate) fn new(device: &Device) -> Self {
         let make = |label, types: &[BindingType]| {
-            let entries: Vec<_> = types
-                .iter()
-                .enumerate()
-                .map(|(binding, ty)| wgpu::BindGroupLayoutEntry {
-                    binding: binding as u32,
-                    // Only the view is read in vertex shaders.
-                    visibility: if matches!(ty, BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, .. }) {
-                        ShaderStages::VERTEX_FRAGMENT
-                    } else {
-                        ShaderStages::FRAGMENT
-                    },
-                    ty: *ty,
-                    count: None,
-                })
-                .collect();
-            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
+            layout(device, label, types, |ty| match ty {
+                // Only the view is read in vertex shaders.
+                BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, .. } => ShaderStages::VERTEX_FRAGMENT,
+                _ => ShaderStages::FRAGMENT,
+            })
         };
         let uniform = |size: usize| BindingType::Buffer {
             ty: wgpu::BufferBindingType::Uniform,
@@ -92,6 +82,31 @@ impl Layouts {
                     sampler,
                 ],
             ),
+            evaluate: layout(
+                device,
+                "evaluate",
+                &[storage(true), storage(true), storage(true), storage(false)],
+                |_| ShaderStages::COMPUTE,
+            ),
         }
     }
+}
+
+fn layout(
+    device: &Device,
+    label: &str,
+    types: &[BindingType],
+    visibility: impl Fn(&BindingType) -> ShaderStages,
+) -> BindGroupLayout {
+    let entries: Vec<_> = types
+        .iter()
+        .enumerate()
+        .map(|(binding, ty)| wgpu::BindGroupLayoutEntry {
+            binding: binding as u32,
+            visibility: visibility(ty),
+            ty: *ty,
+            count: None,
+        })
+        .collect();
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
 }

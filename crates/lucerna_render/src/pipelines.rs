@@ -44,6 +44,8 @@ pub(crate) struct Pipelines {
     /// One intermediate target.
     pub(crate) debug: RenderPipeline,
     pub(crate) lines: RenderPipeline,
+    /// Vertices from control nets.
+    pub(crate) evaluate: wgpu::ComputePipeline,
 }
 
 const MESH_ATTRIBUTES: [wgpu::VertexAttribute; 5] =
@@ -241,6 +243,20 @@ impl Pipelines {
             compilation: wgpu::PipelineCompilationOptions::default(),
         }
         .make(device);
+        let source = module("evaluate", wgsl::EVALUATE);
+        let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some("evaluate"),
+            bind_group_layouts: &[Some(&layouts.evaluate)],
+            immediate_size: 0,
+        });
+        let evaluate = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some("evaluate"),
+            layout: Some(&layout),
+            module: &source,
+            entry_point: Some("cs_evaluate"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            cache: None,
+        });
         Self {
             layouts,
             opaque,
@@ -256,6 +272,7 @@ impl Pipelines {
             compose,
             debug,
             lines,
+            evaluate,
         }
     }
 }

@@ -7,15 +7,19 @@ use crate::data::{FlameData, LightData, MAX_GLOW, Storage, View};
 use crate::error::RenderError;
 use crate::glow::weights;
 use crate::pipelines::Pipelines;
+use crate::surfaces::Evaluator;
 use crate::targets::{Shape, Shared, Targets, group};
 use crate::textures;
 use crate::upload::GrowBuffer;
-use lucerna_frame::{Camera, DebugView, FlameDraw, Frame, Look, Shading, Transparency};
+use glam::{Vec3, Vec4};
+use lucerna_frame::{Camera, DebugView, FlameDraw, FlameVertex, Frame, Look, Shading, Transparency};
 use wgpu::{BindingResource, BufferUsages, Device, Queue, TextureView};
 
 /// The passes of one frame, in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
+    /// The flames' vertices, where the frame has control nets.
+    Surfaces,
     /// The opaque scene, lit by the flames.
     Opaque,
     /// The flames: peeling and shading.
@@ -28,7 +32,7 @@ pub enum Stage {
 
 impl Stage {
     /// All stages in the order in which they are recorded.
-    pub const ALL: [Stage; 4] = [Stage::Opaque, Stage::Peel, Stage::Glow, Stage::Compose];
+    pub const ALL: [Stage; 5] = [Stage::Surfaces, Stage::Opaque, Stage::Peel, Stage::Glow, Stage::Compose];
 }
 
 /// Draws fire into the caller's targets with the caller's device.
@@ -42,6 +46,7 @@ pub struct FireRenderer {
     flames: GrowBuffer,
     lights: GrowBuffer,
     pub(crate) common_group: wgpu::BindGroup,
+    pub(crate) evaluator: Evaluator,
     pub(crate) flame_vertices: GrowBuffer,
     pub(crate) flame_indices: GrowBuffer,
     pub(crate) flame_draws: Vec<FlameDraw>,
@@ -107,7 +112,8 @@ impl FireRenderer {
         let texture_group = texture_group(device, &pipelines, &painted);
         Self {
             storage: Storage::of(target),
-            flame_vertices: growing("flame vertices", BufferUsages::VERTEX, 1 << 18),
+            evaluator: Evaluator::new(device),
+            flame_vertices: growing("flame vertices", VERTEX_USAGE, 1 << 18),
             flame_indices: growing("flame indices", BufferUsages::INDEX, 1 << 16),
             flame_draws: Vec::new(),
             mesh_vertices: growing("mesh vertices", BufferUsages::VERTEX, 256),
@@ -187,6 +193,14 @@ impl FireRenderer {
         self.targets.as_ref().map(|targets| &targets.flame_texture)
     }
 
+    /// The flames' vertices of the last frame, [`FlameVertex`] after [`FlameVertex`]. It can be copied from; where the
+    /// frame had control nets they are there once [`Stage::Surfaces`] is done. The buffer stays the same until more is
+    /// drawn than ever before.
+    #[must_use]
+    pub fn flame_vertices(&self) -> &wgpu::Buffer {
+        &self.flame_vertices.buffer
+    }
+
     /// Uploads a frame. Textures are made anew only when the size, the layers, the samples or the glow levels changed.
     ///
     /// # Errors
@@ -205,13 +219,24 @@ impl FireRenderer {
         check_look(look)?;
         check_depth(self.scene_depth.as_ref(), size_px)?;
         let meshes_are_new = self.mesh_revision != Some(frame.mesh_revision);
-        check_frame(frame, meshes_are_new, &device.limits())?;
+        let limits = device.limits();
+        check_frame(frame, meshes_are_new, &limits)?;
+        let new_grids = self.evaluator.check(frame, &limits)?;
 
+        let layout = &self.pipelines.layouts.evaluate;
+        self.evaluator.prepare(device, queue, layout, (frame, new_grids), &mut self.flame_vertices);
         self.flame_data.clear();
-        self.flame_data.extend(frame.flame_shades.iter().zip(frame.flame_draws).map(|(shade, draw)| {
-            let vertices = &frame.flame_vertices[draw.first_vertex as usize..][..draw.vertex_count as usize];
-            FlameData::new(shade, frame.time_s, encloses(vertices, camera, size_px))
-        }));
+        self.flame_data.extend(frame.flame_shades.iter().zip(frame.flame_draws).enumerate().map(
+            |(index, (shade, draw))| {
+                let inside = if let Some(nets) = &frame.flame_nets {
+                    encloses(self.evaluator.points(nets, index).iter().map(control_point), camera, size_px)
+                } else {
+                    let vertices = &frame.flame_vertices[draw.first_vertex as usize..][..draw.vertex_count as usize];
+                    encloses(vertices.iter().map(position), camera, size_px)
+                };
+                FlameData::new(shade, frame.time_s, inside)
+            },
+        ));
         self.light_data.clear();
         self.light_data.extend(frame.lights.iter().map(|light| LightData::new(light, look)));
         let flames_grew = self.flames.write(device, queue, bytemuck::cast_slice(&self.flame_data));
@@ -227,7 +252,11 @@ impl FireRenderer {
         self.flame_indices.write(device, queue, bytemuck::cast_slice(frame.flame_indices));
         self.flame_draws.clear();
         self.flame_draws.extend_from_slice(frame.flame_draws);
-        self.flame_bounds = bounds(size_px, frame, camera);
+        // A surface lies in the convex hull of its control points (The NURBS Book, P4.10).
+        self.flame_bounds = match &frame.flame_nets {
+            Some(nets) => bounds(size_px, nets.points.iter().map(control_point), camera),
+            None => bounds(size_px, frame.flame_vertices.iter().map(position), camera),
+        };
         self.lines.write(device, queue, bytemuck::cast_slice(frame.lines));
         self.line_vertex_count = frame.lines.len() as u32;
         self.upload_meshes(device, queue, frame);
@@ -280,6 +309,7 @@ impl FireRenderer {
     pub fn record(&self, stage: Stage, encoder: &mut wgpu::CommandEncoder, target: &TextureView) {
         let Some(targets) = &self.targets else { return };
         match stage {
+            Stage::Surfaces => self.record_surfaces(encoder),
             Stage::Opaque if self.scene_depth.is_some() => {}
             Stage::Opaque => self.record_opaque(targets, encoder),
             Stage::Peel => self.record_flames(targets, encoder),
@@ -294,6 +324,17 @@ impl FireRenderer {
             self.record(stage, encoder, target);
         }
     }
+}
+
+/// Drawn from, written by the compute pass and by the CPU, and read back.
+const VERTEX_USAGE: BufferUsages = BufferUsages::VERTEX.union(BufferUsages::STORAGE).union(BufferUsages::COPY_SRC);
+
+fn position(vertex: &FlameVertex) -> Vec3 {
+    vertex.position.into()
+}
+
+fn control_point(point: &[f32; 4]) -> Vec3 {
+    Vec4::from(*point).truncate()
 }
 
 fn common_group(

@@ -14,15 +14,22 @@ impl GrowBuffer {
         Self { buffer: create(device, label, usage, bytes), label, usage }
     }
 
-    /// Writes `bytes` to the front; true if the buffer is a new one, which bind groups must take up.
-    pub(crate) fn write(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, bytes: &[u8]) -> bool {
-        let grows = bytes.len() as u64 > self.buffer.size();
+    /// Makes room for so many bytes; true if the buffer is a new one, which bind groups must take up.
+    pub(crate) fn reserve(&mut self, device: &wgpu::Device, needed: u64) -> bool {
+        let grows = needed > self.buffer.size();
         if grows {
             // Half as much again where the device allows, so that a slowly growing fire settles.
-            let needed = bytes.len() as u64;
-            let roomy = (needed * 3 / 2).min(device.limits().max_buffer_size);
-            self.buffer = create(device, self.label, self.usage, roomy.max(needed));
+            let limits = device.limits();
+            let is_bound = self.usage.contains(wgpu::BufferUsages::STORAGE);
+            let most = if is_bound { limits.max_storage_buffer_binding_size } else { limits.max_buffer_size };
+            self.buffer = create(device, self.label, self.usage, (needed * 3 / 2).min(most).max(needed));
         }
+        grows
+    }
+
+    /// Writes `bytes` to the front; true if the buffer is a new one, which bind groups must take up.
+    pub(crate) fn write(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, bytes: &[u8]) -> bool {
+        let grows = self.reserve(device, bytes.len() as u64);
         if !bytes.is_empty() {
             queue.write_buffer(&self.buffer, 0, bytes);
         }

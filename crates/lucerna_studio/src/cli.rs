@@ -2,6 +2,7 @@
 
 use crate::limits::{parse_exit_after, parse_fps, parse_frames, parse_size, parse_warmup};
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use lucerna::flame::Surfaces;
 use lucerna::frame::Shading;
 use std::path::PathBuf;
 
@@ -88,6 +89,9 @@ pub struct SceneArgs {
     /// Depth layers that are peeled, 1 to 32.
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=32))]
     pub layers: Option<u32>,
+    /// Where the vertices of flames are made.
+    #[arg(long, value_enum, default_value = "cpu")]
+    pub surfaces: SurfacesArg,
 }
 
 /// What is recorded and how.
@@ -142,6 +146,26 @@ impl From<ShadingArg> for Shading {
     }
 }
 
+/// `--surfaces`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SurfacesArg {
+    /// On the processor.
+    #[default]
+    Cpu,
+    /// On the graphics device, from control points.
+    Gpu,
+}
+
+impl From<SurfacesArg> for Surfaces {
+    fn from(arg: SurfacesArg) -> Self {
+        match arg {
+            SurfacesArg::Cpu => Self::Vertices,
+            SurfacesArg::Gpu => Self::Nets,
+        }
+    }
+}
+
 /// A message of clap as one line: the paragraphs about usage and help are left out.
 #[must_use]
 pub fn one_line(error: &clap::Error) -> String {
@@ -168,14 +192,14 @@ mod tests {
     #[test]
     fn render_understands_every_option() {
         let line = "lucerna render torch --headless --frames 200 --fps 20 --size 480x360 --seed 7 --out a.gif \
-                    --report r.json --preset paper --shading shell --layers 4 --warmup 1.5";
+                    --report r.json --preset paper --shading shell --layers 4 --surfaces gpu --warmup 1.5";
         let Some(Command::Render { scene, changes, record, headless }) = program(line).unwrap().command else {
             panic!("not a render command");
         };
         assert!(headless && scene == "torch");
         assert_eq!((changes.seed, changes.layers, changes.shading), (Some(7), Some(4), Some(ShadingArg::Shell)));
         assert_eq!((record.frames, record.fps, record.size), (Some(200), Some(20.0), Some([480, 360])));
-        assert_eq!(record.warmup, 1.5);
+        assert_eq!((record.warmup, changes.surfaces), (1.5, SurfacesArg::Gpu));
     }
 
     #[test]
@@ -198,6 +222,7 @@ mod tests {
             "--layers 0",
             "--layers 33",
             "--shading flat",
+            "--surfaces both",
             "--seed -1",
             "--unknown",
         ] {

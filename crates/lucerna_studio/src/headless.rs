@@ -75,7 +75,8 @@ impl<'a> Run<'a> {
         let target = Target::new(&gpu, job.size_px)?;
         let renderer = FireRenderer::new(&gpu.device, &gpu.queue, TARGET_FORMAT);
         gpu.check()?;
-        let world = World::new(job.scene.clone())?;
+        let mut world = World::new(job.scene.clone())?;
+        world.set_surfaces(job.surfaces.into());
         let (timings, counts) = (Timings::default(), Counts::default());
         Ok(Self { job, gpu, target, renderer, world, timings, counts, rgb: Vec::new() })
     }
@@ -196,6 +197,7 @@ impl<'a> Run<'a> {
             animation_fps: job.fps,
             warmup_s: job.warmup_s,
             size: job.size_px,
+            surfaces: job.surfaces,
             shading: scene.look.shading,
             layers_peeled: scene.look.layers,
             adapter: self.gpu.adapter.clone(),

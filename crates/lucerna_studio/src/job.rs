@@ -1,6 +1,6 @@
 //! What a run without a window is to do, with every default filled in.
 
-use crate::cli::{RecordArgs, SceneArgs};
+use crate::cli::{RecordArgs, SceneArgs, SurfacesArg};
 use crate::record::Output;
 use anyhow::Result;
 use lucerna::scene::LoadedScene;
@@ -18,6 +18,8 @@ pub struct Job {
     pub scene: LoadedScene,
     /// The preset that was applied, for the report.
     pub preset: Option<String>,
+    /// Where the vertices of flames are made.
+    pub surfaces: SurfacesArg,
     /// Number of frames, 1 or more.
     pub frames: u32,
     /// Frames per second of simulated time.
@@ -46,6 +48,7 @@ impl Job {
         Ok(Self {
             scene,
             preset: changes.preset.clone(),
+            surfaces: changes.surfaces,
             frames,
             fps,
             size_px: args.size.unwrap_or(SIZE_PX),

@@ -43,7 +43,14 @@ fn program(args: ProgramArgs) -> Result<()> {
                 record::check_file(path)?;
             }
             let loaded = scenes::open(&scene, &changes, |_| {})?;
-            match window::run(WindowJob { name: scene, scene: loaded, preset: changes.preset, window, size })? {
+            match window::run(WindowJob {
+                name: scene,
+                scene: loaded,
+                preset: changes.preset,
+                surfaces: changes.surfaces,
+                window,
+                size,
+            })? {
                 Outcome::Closed => Ok(()),
                 Outcome::NotOpened(error) => bail!("{error}; `lucerna render` draws without a window"),
             }
@@ -62,9 +69,9 @@ fn example(name: &str, adjust: impl FnOnce(&mut Scene), args: &ExampleArgs) -> R
     }
     let loaded = scenes::open(name, &args.changes, adjust)?;
     if !args.runs_headless() {
-        let preset = args.changes.preset.clone();
+        let (preset, surfaces) = (args.changes.preset.clone(), args.changes.surfaces);
         let (window, size) = (args.window.clone(), args.record.size);
-        match window::run(WindowJob { name: name.into(), scene: loaded.clone(), preset, window, size })? {
+        match window::run(WindowJob { name: name.into(), scene: loaded.clone(), preset, surfaces, window, size })? {
             Outcome::Closed => return Ok(()),
             Outcome::NotOpened(error) => say(&format!("{}: drawing without a window", message(&error))),
         }

@@ -1,5 +1,6 @@
 //! What a measured run writes down.
 
+use crate::cli::SurfacesArg;
 use lucerna::StageTimes;
 use lucerna::frame::Shading;
 use lucerna::render::{Stage, Statistics};
@@ -74,12 +75,13 @@ impl Timings {
     /// Median and 95th percentile of every stage.
     #[must_use]
     pub fn summary(&self) -> Stages {
-        let [opaque, peel, glow, compose] = self.gpu.each_ref().map(Samples::summary);
+        let [surfaces, opaque, peel, glow, compose] = self.gpu.each_ref().map(Samples::summary);
         Stages {
             fluid: self.fluid.summary(),
             skeletons: self.skeletons.summary(),
             nurbs: self.nurbs.summary(),
             upload: self.upload.summary(),
+            surfaces,
             opaque,
             peel,
             glow,
@@ -96,10 +98,12 @@ pub struct Stages {
     pub fluid: Milliseconds,
     /// Particle chains.
     pub skeletons: Milliseconds,
-    /// Control nets and surfaces.
+    /// Control nets and lights; surfaces where they are made on the processor.
     pub nurbs: Milliseconds,
-    /// Vertices, lights and settings to the device.
+    /// Vertices or control points, lights and settings to the device.
     pub upload: Milliseconds,
+    /// Surfaces made on the device.
+    pub surfaces: Milliseconds,
     /// The lit opaque scene.
     pub opaque: Milliseconds,
     /// The flames.
@@ -131,6 +135,8 @@ pub struct Report {
     pub warmup_s: f64,
     /// Width and height in pixels.
     pub size: [u32; 2],
+    /// Where the vertices of flames were made.
+    pub surfaces: SurfacesArg,
     /// What a flame's pixels are made from.
     pub shading: Shading,
     /// Depth layers that were peeled.
@@ -217,10 +223,10 @@ mod tests {
     fn stages_keep_their_order() {
         let mut timings = Timings::default();
         timings.push_world(&StageTimes { fluid_ms: 1.0, skeletons_ms: 2.0, nurbs_ms: 3.0 });
-        timings.push_gpu(4.0, [5.0, 6.0, 7.0, 8.0], 36.0);
+        timings.push_gpu(4.0, [5.0, 6.0, 7.0, 8.0, 9.0], 45.0);
         let value = serde_json::to_value(timings.summary()).unwrap();
-        let order = ["fluid", "skeletons", "nurbs", "upload", "opaque", "peel", "glow", "compose", "frame"];
-        for (stage, expected) in order.iter().zip([1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 36.0]) {
+        let order = ["fluid", "skeletons", "nurbs", "upload", "surfaces", "opaque", "peel", "glow", "compose", "frame"];
+        for (stage, expected) in order.iter().zip([1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 45.0]) {
             assert_eq!(value[stage]["median"], expected, "{stage}");
             assert_eq!(value[stage]["p95"], expected, "{stage}");
         }

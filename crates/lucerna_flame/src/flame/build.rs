@@ -3,7 +3,7 @@
 use super::Flame;
 use crate::net::{self, Shaping, Spine};
 use crate::random::Fnv;
-use crate::surface::Surface;
+use crate::surface::{Surface, Surfaces};
 use glam::Vec3;
 use lucerna_frame::FlameShade;
 
@@ -72,26 +72,27 @@ impl Flame {
     }
 
     /// Makes the nets and surfaces of the flame and of its free flames.
-    pub(crate) fn build(&mut self) {
+    pub(crate) fn build(&mut self, surfaces: Surfaces) {
         self.build_net();
-        self.surface.build(&self.plan, &self.net);
+        self.surface.build(&self.plan, &self.net, surfaces);
         for free in self.free.iter_mut().filter(|f| f.burning) {
             free.build_net();
-            free.surface.build(&self.free_plan, &free.net);
+            free.surface.build(&self.free_plan, &free.net, surfaces);
         }
     }
 
-    /// The surfaces that burn now, the attached one first, and how they are shaded.
-    pub(crate) fn surfaces(&self) -> impl Iterator<Item = (&Surface, FlameShade, bool)> {
+    /// The surfaces that burn now with their nets, the attached one first, how they are shaded, and whether they are
+    /// free.
+    pub(crate) fn surfaces(&self) -> impl Iterator<Item = (&Surface, &[[f32; 3]], FlameShade, bool)> {
         let shade = self.settings.shade;
         let free = self.free.iter().filter(|f| f.burning).map(move |f| {
             // A free flame has left the wick: it is soot from end to end, without a blue zone.
             let strength = shade.strength * f.strength();
             let loose =
                 FlameShade { soot_begin: 0.0, soot_full: 0.2, blue_per_m: 0.0, dark_radius: 0.0, strength, ..shade };
-            (&f.surface, loose, true)
+            (&f.surface, &*f.net, loose, true)
         });
-        std::iter::once((&self.surface, shade, false)).chain(free)
+        std::iter::once((&self.surface, &*self.net, shade, false)).chain(free)
     }
 
     pub(crate) fn hash(&self, fnv: &mut Fnv) {

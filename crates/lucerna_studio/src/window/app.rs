@@ -5,12 +5,13 @@ use super::document::Document;
 use super::meters::Meters;
 use super::viewport::Viewport;
 use super::{WindowJob, orbit, panel};
-use crate::cli::WindowArgs;
+use crate::cli::{SurfacesArg, WindowArgs};
 use crate::headless::slices;
 use crate::limits::SIDE_PX;
 use crate::progress::say;
 use anyhow::Result;
 use egui::{Color32, Key, PointerButton, Rect, Sense, ViewportCommand};
+use lucerna::flame::Surfaces;
 use lucerna::{DebugLines, World};
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -44,6 +45,8 @@ pub(super) struct View {
     pub(super) paused: bool,
     pub(super) time_scale: f32,
     pub(super) lines: DebugLines,
+    /// The graphics device makes the flames' vertices.
+    pub(super) surfaces_on_device: bool,
     pub(super) layers_counted: bool,
     pub(super) preset: Option<String>,
     /// What happened last, such as where a picture went.
@@ -81,7 +84,12 @@ impl App {
             document,
             viewport,
             meters: Meters::default(),
-            view: View { time_scale: 1.0, preset: job.preset, ..View::default() },
+            view: View {
+                time_scale: 1.0,
+                preset: job.preset,
+                surfaces_on_device: job.surfaces == SurfacesArg::Gpu,
+                ..View::default()
+            },
             window: job.window,
             capture: WindowCapture::default(),
             opened: Instant::now(),
@@ -172,6 +180,8 @@ impl App {
         }
         self.document.apply(&mut self.world);
         self.world.set_debug_lines(self.view.lines);
+        let on_device = self.view.surfaces_on_device;
+        self.world.set_surfaces(if on_device { Surfaces::Nets } else { Surfaces::Vertices });
 
         let side =
             |points: f32| ((points * ui.pixels_per_point()).round() as u32).clamp(*SIDE_PX.start(), *SIDE_PX.end());

@@ -16,7 +16,7 @@ mod panel_statistics;
 mod viewport;
 mod widgets;
 
-use crate::cli::WindowArgs;
+use crate::cli::{SurfacesArg, WindowArgs};
 use crate::gpu;
 use anyhow::{Result, anyhow, bail};
 use app::App;
@@ -36,6 +36,8 @@ pub struct WindowJob {
     pub scene: LoadedScene,
     /// The preset that was applied.
     pub preset: Option<String>,
+    /// Where the vertices of flames are made.
+    pub surfaces: SurfacesArg,
     /// How the window behaves.
     pub window: WindowArgs,
     /// Size in points.

@@ -9,12 +9,12 @@ use lucerna::frame::{Blur, DebugView, GlowLevel, Look, Shading, Transparency};
 const MOST_LEVELS: usize = 4;
 
 pub(super) fn show(ui: &mut Ui, look: &mut Look, view: &mut View) {
-    section(ui, "Peeling", true, |ui| peeling(ui, look));
+    section(ui, "Peeling", true, |ui| peeling(ui, look, view));
     section(ui, "Debug views", false, |ui| debug(ui, look, view));
     egui::CollapsingHeader::new(egui::RichText::new("Glow").strong()).show(ui, |ui| glow(ui, look));
 }
 
-fn peeling(ui: &mut Ui, look: &mut Look) {
+fn peeling(ui: &mut Ui, look: &mut Look, view: &mut View) {
     let shadings = [("shell", Shading::Shell), ("volume", Shading::Volume)];
     let tooltip = "Shell: a texture on the surface. Volume: light emitted along the part of the ray inside each flame.";
     choice(ui, &mut look.shading, &shadings, "Shading", tooltip);
@@ -29,6 +29,8 @@ fn peeling(ui: &mut Ui, look: &mut Look) {
     slider(ui, &mut look.layers, 1..=32, "Layers", "", tooltip);
     let tooltip = "Steps of the integration inside each flame in volume shading.";
     slider(ui, &mut look.volume_steps, 2..=32, "Volume steps", "", tooltip);
+    let tooltip = "The graphics device makes the surfaces from control points; otherwise the processor does.";
+    switch(ui, &mut view.surfaces_on_device, "Device surfaces", tooltip);
 }
 
 fn debug(ui: &mut Ui, look: &mut Look, view: &mut View) {
