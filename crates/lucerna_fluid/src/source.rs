@@ -7,6 +7,7 @@ mod add;
 mod apply;
 mod mesh;
 mod place;
+mod push;
 mod settings;
 mod voxels;
 

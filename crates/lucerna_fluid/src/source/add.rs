@@ -56,7 +56,7 @@ impl Fluid {
     }
 
     /// The accelerations along an axis, of its faces' size, about to be added to.
-    fn accelerations(&mut self, axis: usize) -> &mut [f32] {
+    pub(super) fn accelerations(&mut self, axis: usize) -> &mut [f32] {
         let sources = &mut self.sources;
         sources.has_acceleration[axis] = true;
         let values = &mut sources.acceleration[axis];
@@ -108,20 +108,24 @@ pub(crate) fn add_ball(grid: &Grid, values: &mut [f32], point: Vec3, radius_m: f
         first as usize..end as usize
     };
     let [nx, ny, _] = grid.cells;
+    let (xs, [x_m, y_m, z_m]) = (range(0), grid.cell_m);
+    let from = grid.origin - point;
+    let per_square = 1.0 / (radius * radius);
     for k in range(2) {
+        let z = from.z + (k as f32 + 0.5) * z_m;
         for j in range(1) {
-            for i in range(0) {
-                let centre = (Vec3::new(i as f32, j as f32, k as f32) + 0.5) * Vec3::from_array(grid.cell_m);
-                let distance_squared = (grid.origin + centre).distance_squared(point);
-                let fall = (1.0 - distance_squared / (radius * radius)).max(0.0);
-                let value = &mut values[i + nx * (j + ny * k)];
+            let y = from.y + (j as f32 + 0.5) * y_m;
+            let row = &mut values[nx * (j + ny * k)..][xs.clone()];
+            for (i, value) in xs.clone().zip(row) {
+                let x = from.x + (i as f32 + 0.5) * x_m;
+                let fall = (1.0 - (x * x + (y * y + z * z)) * per_square).max(0.0);
                 *value = add_clamped(*value, rate * fall * fall, most);
             }
         }
     }
 }
 
-fn add_clamped(value: f32, more: f32, most: f32) -> f32 {
+pub(super) fn add_clamped(value: f32, more: f32, most: f32) -> f32 {
     (value + more).max(-most).min(most)
 }
 
@@ -135,6 +139,6 @@ pub(crate) fn check_ball(point: Vec3, radius_m: f32) -> Result<(), FluidError> {
     Ok(())
 }
 
-fn check_acceleration(value: Vec3) -> Result<Vec3, FluidError> {
+pub(super) fn check_acceleration(value: Vec3) -> Result<Vec3, FluidError> {
     check_vec("acceleration_m_s2", value, MAX_ACCELERATION_M_S2, "components within ±1e6 m/s²")
 }

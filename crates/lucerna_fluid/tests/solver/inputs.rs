@@ -58,6 +58,9 @@ fn bad_numbers_are_refused_and_leave_the_fluid_alone() {
         assert!(fluid.step(bad).is_err());
         assert!(fluid.add_acceleration(vector, Vec3::Y).is_err());
         assert!(fluid.add_acceleration(middle, vector).is_err());
+        assert!(fluid.add_push(vector, 0.1, Vec3::Y).is_err());
+        assert!(fluid.add_push(middle, bad, Vec3::Y).is_err());
+        assert!(fluid.add_push(middle, 0.1, vector).is_err());
         assert!(fluid.add_row_acceleration(2, bad).is_err());
         assert!(fluid.add_heat(vector, 0.1, 1.0).is_err());
         assert!(fluid.add_heat(middle, bad, 1.0).is_err());
@@ -101,6 +104,7 @@ fn bad_numbers_are_refused_and_leave_the_fluid_alone() {
     assert_eq!(fluid.add_row_acceleration(9, 1.0), Err(FluidError::Row { row: 9, rows: 9 }));
     // What is far outside is no error, and does nothing.
     fluid.add_acceleration(Vec3::splat(f32::MAX), Vec3::Y).unwrap();
+    fluid.add_push(Vec3::splat(f32::MAX), 0.1, Vec3::Y).unwrap();
     fluid.add_heat(Vec3::splat(-1.0e30), 0.1, 1000.0).unwrap();
     assert_eq!(fluid.state_hash(), untouched.state_hash());
     fluid.step(0.02).unwrap();
@@ -115,6 +119,7 @@ fn extreme_points_are_harmless() {
         fluid.add_heat(point, 1.0e6, 1.0).unwrap();
         fluid.add_expansion(point, 1.0e6, 1.0).unwrap();
         fluid.add_acceleration(point, Vec3::ONE).unwrap();
+        fluid.add_push(point, 1.0e6, Vec3::splat(1.0e6)).unwrap();
         assert!(fluid.velocity(point).is_finite());
     }
     fluid.step(0.1).unwrap();

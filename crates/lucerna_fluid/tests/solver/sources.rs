@@ -249,3 +249,33 @@ fn sources_that_make_no_sense_are_refused() {
     assert_eq!(fluid.set_source(id, ball()), Err(FluidError::UnknownSource { id: 0 }));
     assert_eq!(fluid.state_hash(), hash);
 }
+
+/// Sum of what is about to accelerate the air times the volume of a cell, by axis.
+fn pending_push(fluid: &Fluid) -> [f64; 3] {
+    let saved = serde_json::to_value(fluid.save()).unwrap();
+    let volume: f64 = fluid.cell_size_m().to_array().map(f64::from).iter().product();
+    [0, 1, 2].map(|axis| {
+        let values = saved["pending"]["acceleration"][axis].as_array().unwrap();
+        volume * values.iter().map(|value| value.as_f64().unwrap()).sum::<f64>()
+    })
+}
+
+#[test]
+fn a_push_has_the_same_momentum_on_every_grid() {
+    let push = Vec3::new(3.0, 20.0, -7.0);
+    for (cells, sides) in [([9, 14, 10], Sides::CLOSED), ([20, 31, 17], Sides::OPEN), ([16, 8, 8], Sides::PERIODIC)] {
+        for (point, reach_m) in
+            [(Vec3::new(0.5, 0.6, 0.5), 0.2), (Vec3::new(0.03, 0.9, 0.97), 0.3), (Vec3::new(0.99, 0.5, 0.5), 0.01)]
+        {
+            let mut fluid = Fluid::builder(cells).size_m(Vec3::ONE).sides(sides).build().unwrap();
+            fluid.add_push(point, reach_m, push).unwrap();
+            for (found, wanted) in pending_push(&fluid).into_iter().zip(push.to_array()) {
+                let wanted = f64::from(wanted * reach_m.powi(3));
+                assert!((found / wanted - 1.0).abs() < 1.0e-5, "{cells:?} {point} {reach_m}: {found} for {wanted}");
+            }
+        }
+    }
+    let mut fluid = Fluid::builder([8; 3]).size_m(Vec3::ONE).build().unwrap();
+    fluid.add_push(Vec3::new(0.5, 1.3, 0.5), 0.2, push).unwrap();
+    assert_eq!(pending_push(&fluid), [0.0; 3], "out of reach");
+}
