@@ -36,6 +36,9 @@ impl GridShape {
         if !(1..=MOST_CELLS).contains(&columns) || !(1..=MOST_CELLS).contains(&rows) {
             return Err(format!("says {columns} x {rows} cells: must be 1 to {MOST_CELLS} each"));
         }
+        if flags > 15 || (flags & 6 != 0 && flags & 8 == 0) {
+            return Err(format!("says the flags {flags}: must be at most 15, with poles only where v is open"));
+        }
         let poles = (flags >> 1 & 1) + (flags >> 2 & 1);
         let expected = (columns + 1) * (rows + 1) - poles;
         if vertices != expected {
