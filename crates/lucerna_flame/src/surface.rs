@@ -36,8 +36,8 @@ pub(crate) struct PlanKey {
 pub(crate) struct SurfacePlan {
     pub(crate) key: PlanKey,
     grid: GridPlan<f32>,
-    /// For each ring of vertices: the weights of the net's columns.
-    weights: Vec<f32>,
+    /// For each ring of vertices: the first of the net's columns that it depends on, and their weights.
+    weights: Vec<(usize, [f32; 4])>,
     /// Both ends are points (one lead skeleton), not slits.
     poles: bool,
 }
@@ -60,13 +60,14 @@ impl SurfacePlan {
             ..GridOptions::default()
         };
         let grid = GridPlan::new(&around, &along, options)?;
-        let mut weights = vec![0.0; (key.up + 1) * key.columns];
+        let mut weights = Vec::with_capacity(key.up + 1);
         for ring in 0..=key.up {
             let basis = along.basis_functions(ring as f32 / key.up as f32)?;
-            let row = &mut weights[ring * key.columns + basis.first()..];
-            for (to, from) in row.iter_mut().zip(basis.derivative(0).unwrap_or(&[])) {
+            let mut four = [0.0; 4];
+            for (to, from) in four.iter_mut().zip(basis.derivative(0).unwrap_or(&[])) {
                 *to = *from;
             }
+            weights.push((basis.first(), four));
         }
         Ok(Self { key, grid, weights, poles })
     }
@@ -119,14 +120,14 @@ impl Surface {
     /// Cuts the surface at every ring of vertices.
     fn cut(&mut self, plan: &SurfacePlan, net: &[[f32; 3]]) {
         self.sections.clear();
-        for weights in plan.weights.chunks_exact(plan.key.columns) {
+        for (first, weights) in &plan.weights {
+            let columns = *first..first + weights.len();
             self.ring.clear();
-            self.ring.extend(
-                net.chunks_exact(plan.key.columns).map(|row| {
-                    row.iter().zip(weights).map(|(point, weight)| Vec3::from(*point) * *weight).sum::<Vec3>()
-                }),
-            );
-            let height: f32 = weights.iter().zip(&self.columns).map(|(w, h)| w * h).sum();
+            self.ring.extend(net.chunks_exact(plan.key.columns).map(|row| {
+                let row = row[columns.clone()].iter().zip(weights);
+                row.map(|(point, weight)| Vec3::from(*point) * *weight).sum::<Vec3>()
+            }));
+            let height: f32 = weights.iter().zip(&self.columns[columns]).map(|(w, h)| w * h).sum();
             self.sections.push(Section::of(&self.ring, height.clamp(0.0, 1.0)));
         }
     }
