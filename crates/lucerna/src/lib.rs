@@ -15,10 +15,13 @@
 //! # }
 //! ```
 //!
-//! With the feature `render` (on by default) `lucerna::render` draws that frame with wgpu.
+//! With the feature `render` (on by default) `lucerna::render` draws that frame with wgpu. With the feature `export`
+//! `lucerna::export` writes flames for other programs.
 
 mod air;
 mod error;
+#[cfg(feature = "export")]
+pub mod export;
 mod report;
 mod world;
 

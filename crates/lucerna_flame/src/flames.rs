@@ -4,7 +4,7 @@ use crate::air::Air;
 use crate::flame::{Flame, Source};
 use crate::light::{LightGroup, add_light};
 use crate::random::{Fnv, hash};
-use crate::surface::{PlanKey, SurfacePlan, Surfaces};
+use crate::surface::{ControlNet, PlanKey, SurfacePlan, Surfaces};
 use crate::{FlameError, FlameSettings};
 use lucerna_frame::{FlameDraw, FlameGrid, FlameNet, FlameNets, FlameShade, FlameVertex, Light};
 use rayon::prelude::*;
@@ -214,6 +214,14 @@ impl Flames {
             nets: &self.nets,
         })
     }
+    /// The control nets of all surfaces after [`build`](Self::build), wherever the vertices are made, in the order of
+    /// [`draws`](Self::draws).
+    pub fn control_nets(&self) -> impl Iterator<Item = ControlNet<'_>> {
+        self.flames.iter().flat_map(|flame| {
+            let plan = |is_free| if is_free { &flame.free_plan } else { &flame.plan };
+            flame.surfaces().map(move |(_, net, _, is_free)| plan(is_free).net(net, is_free))
+        })
+    }
     /// Triangle indices, relative to each flame's first vertex.
     #[must_use]
     pub fn indices(&self) -> &[u32] {
@@ -233,6 +241,12 @@ impl Flames {
     #[must_use]
     pub fn lights(&self) -> &[Light] {
         &self.lights
+    }
+    /// For each of [`lights`](Self::lights): its group of flames, and its part of the group, from 0 at the root to 2 at
+    /// the tip.
+    pub fn light_parts(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
+        let groups = self.light_groups.iter().enumerate();
+        groups.flat_map(|(group, lights)| lights.bright_parts().map(move |part| [group, part]))
     }
     /// A hash of all state that the next step depends on.
     #[must_use]

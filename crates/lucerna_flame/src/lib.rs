@@ -33,5 +33,5 @@ pub use flame::Source;
 pub use flames::{Flames, MAX_FLAMES};
 pub use params::{FlameSettings, Fuel, FuelDistribution, FuelForm, Skeletons, SurfaceGrid, Swing, WickShape};
 pub use roots::{LeadRoot, PeripheralRoot, Roots, lead_of_row};
-pub use surface::Surfaces;
+pub use surface::{ControlNet, Surfaces};
 pub use wick::{Centreline, MAX_WICK_POINTS};

@@ -56,9 +56,19 @@ impl LightGroup {
         part.color += color * power;
     }
 
+    /// The parts that shine, each with its number.
+    fn bright(&self) -> impl Iterator<Item = (usize, &Part)> {
+        self.parts.iter().enumerate().filter(|(_, part)| part.power > 1e-12)
+    }
+
+    /// The numbers of the parts that [`lights`](Self::lights) stand for.
+    pub(crate) fn bright_parts(&self) -> impl Iterator<Item = usize> + '_ {
+        self.bright().map(|(number, _)| number)
+    }
+
     /// Up to three lights; dark parts are left out.
     pub(crate) fn lights(&self) -> impl Iterator<Item = Light> + '_ {
-        self.parts.iter().filter(|part| part.power > 1e-12).map(|part| {
+        self.bright().map(|(_, part)| {
             let mean = part.first / part.power;
             // How far the gas lies from the light that stands for it.
             let spread = (part.second / part.power - mean.length_squared()).max(0.0).sqrt();

@@ -16,6 +16,24 @@ pub enum Surfaces {
     Nets,
 }
 
+/// The control net of one surface, and what its vertices are made of it with.
+///
+/// `GridPlan::new(knots_u, knots_v, grid)?.evaluate(points, ..)` of `lucerna_nurbs` makes the vertices of
+/// [`Flames::vertices`](crate::Flames::vertices), bit for bit.
+#[derive(Clone, Copy, Debug)]
+pub struct ControlNet<'a> {
+    /// Knots around the flame, periodic: they carry `degree` points more than the net has rows.
+    pub knots_u: &'a KnotVector<f32>,
+    /// Knots from the tip (0) to the root (1); they carry as many points as the net has columns.
+    pub knots_v: &'a KnotVector<f32>,
+    /// Cells, closure and poles.
+    pub grid: GridOptions,
+    /// Control points in metres, row by row; each row runs from tip to root.
+    pub points: &'a [[f32; 3]],
+    /// The flame has broken away from its wick.
+    pub is_free: bool,
+}
+
 /// Half thickness of a flame that has none, m.
 pub(crate) const THINNEST_M: f32 = 1e-5;
 
@@ -35,6 +53,8 @@ pub(crate) struct PlanKey {
 #[derive(Debug)]
 pub(crate) struct SurfacePlan {
     pub(crate) key: PlanKey,
+    /// Around the flame, and from tip to root.
+    knots: [KnotVector<f32>; 2],
     grid: GridPlan<f32>,
     /// For each ring of vertices: the first of the net's columns that it depends on, and their weights.
     weights: Vec<(usize, [f32; 4])>,
@@ -69,11 +89,15 @@ impl SurfacePlan {
             }
             weights.push((basis.first(), four));
         }
-        Ok(Self { key, grid, weights, poles })
+        Ok(Self { key, knots: [around, along], grid, weights, poles })
     }
 
     pub(crate) fn vertex_count(&self) -> usize {
         self.grid.vertex_count()
+    }
+    pub(crate) fn net<'a>(&'a self, points: &'a [[f32; 3]], is_free: bool) -> ControlNet<'a> {
+        let [knots_u, knots_v] = &self.knots;
+        ControlNet { knots_u, knots_v, grid: *self.grid.options(), points, is_free }
     }
     /// What a renderer needs to evaluate nets of this size.
     pub(crate) fn tables(&self) -> FlameGrid {

@@ -5,8 +5,17 @@ use glam::{Mat3, Vec3};
 /// Second radiation constant, m K (paper 000 prints 1.4388e-2).
 const C2_M_K: f64 = 1.438_777e-2;
 
+/// First radiation constant for radiance, 2 h c^2, W m^2 / sr.
+const C1L_W_M2: f64 = 1.191_043e-16;
+
+/// Luminous efficacy of light at 540 THz, lm/W: the definition of the candela.
+const EFFICACY_LM_W: f64 = 683.002;
+
 /// The temperature whose luminance is 1.
 const REFERENCE_K: f64 = 1800.0;
+
+/// Distance of the wavelengths that are summed, nm.
+const STEP_NM: f64 = 4.7;
 
 /// Linear sRGB from CIE XYZ (IEC 61966-2-1), columns.
 const SRGB_FROM_XYZ: Mat3 = Mat3::from_cols_array(&[
@@ -32,6 +41,17 @@ pub fn blackbody_rgb(temperature_k: f32) -> Vec3 {
     SRGB_FROM_XYZ * Vec3::new(x, y, z)
 }
 
+/// The luminance that radiances call 1, that of a black body of 1800 K: about 1.18e5 cd/m^2.
+#[must_use]
+pub fn unit_luminance_cd_m2() -> f32 {
+    luminance_cd_m2(REFERENCE_K) as f32
+}
+
+/// Luminance of a black body, cd/m^2.
+fn luminance_cd_m2(temperature_k: f64) -> f64 {
+    EFFICACY_LM_W * C1L_W_M2 * 1e28 * STEP_NM * 1e-9 * blackbody_xyz(temperature_k)[1]
+}
+
 /// CIE 1931 chromaticity (x, y) of a black body.
 #[must_use]
 pub fn blackbody_chromaticity(temperature_k: f32) -> [f32; 2] {
@@ -54,7 +74,7 @@ fn blackbody_xyz(temperature_k: f64) -> [f64; 3] {
     let temperature_k = if temperature_k.is_finite() { temperature_k.clamp(500.0, 20_000.0) } else { REFERENCE_K };
     let mut xyz = [0.0; 3];
     for step in 0..=100 {
-        let nm = 360.0 + 4.7 * f64::from(step);
+        let nm = 360.0 + STEP_NM * f64::from(step);
         let m = nm * 1e-9;
         let radiance = 1e-28 / (m.powi(5) * (C2_M_K / (m * temperature_k)).exp_m1());
         for (sum, weight) in xyz.iter_mut().zip(observer(nm)) {
@@ -89,6 +109,14 @@ mod tests {
             let [got_x, got_y] = blackbody_chromaticity(kelvin);
             assert!((got_x - x).abs() < 0.005 && (got_y - y).abs() < 0.005, "{kelvin} K: {got_x} {got_y}");
         }
+    }
+
+    #[test]
+    fn a_black_body_of_freezing_platinum_has_sixty_candela_a_square_centimetre() {
+        // The definition of the candela from 1946 to 1979, at 2041.4 K (ITS-90).
+        let got = luminance_cd_m2(2041.4);
+        println!("{got:.0} cd/m^2 of 600000, {:.0} at 1800 K", unit_luminance_cd_m2());
+        assert!((got / 6e5 - 1.0).abs() < 0.01, "{got}");
     }
 
     #[test]

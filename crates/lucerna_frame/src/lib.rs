@@ -14,7 +14,7 @@ mod nets;
 mod scene;
 
 pub use camera::Camera;
-pub use color::{adaptation, blackbody_chromaticity, blackbody_rgb};
+pub use color::{adaptation, blackbody_chromaticity, blackbody_rgb, unit_luminance_cd_m2};
 pub use flame::{FlameDraw, FlameShade, FlameVertex};
 pub use look::{Blur, DebugView, GlowLevel, Look, Shading, ToneMap, Transparency};
 pub use nets::{FlameGrid, FlameNet, FlameNets};

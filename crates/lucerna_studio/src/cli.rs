@@ -46,6 +46,55 @@ pub enum Command {
         #[arg(long)]
         headless: bool,
     },
+    /// Writes flames for other programs: meshes, control nets and lights. Needs no graphics device.
+    Export {
+        /// A built-in scene or the path of a scene file.
+        scene: String,
+        /// What is written.
+        #[command(flatten)]
+        export: ExportArgs,
+    },
+}
+
+/// What is exported and how.
+#[derive(Args, Clone, Debug)]
+pub struct ExportArgs {
+    /// The folder that is written to; it is made where there is none.
+    #[arg(long, value_name = "FOLDER")]
+    pub out: PathBuf,
+    /// How the surfaces are written.
+    #[arg(long, value_enum, default_value = "gltf")]
+    pub format: FormatArg,
+    /// Write the control nets of every frame as JSON.
+    #[arg(long)]
+    pub nets: bool,
+    /// Write the lights of all frames as a table.
+    #[arg(long)]
+    pub lights: bool,
+    /// Number of frames, 1 to 100000.
+    #[arg(long, value_name = "N", default_value = "1", allow_negative_numbers = true, value_parser = parse_frames)]
+    pub frames: u32,
+    /// Frames per second of simulated time, 1 to 1000.
+    #[arg(long, value_name = "F", default_value = "30", allow_negative_numbers = true, value_parser = parse_fps)]
+    pub fps: f64,
+    /// Seconds simulated before the first frame, so that the fire burns, 0 to 600.
+    #[arg(long, value_name = "SECONDS", default_value = "2", allow_negative_numbers = true, value_parser = parse_warmup)]
+    pub warmup: f64,
+    /// Apply a preset to the scene (a bare `lucerna` lists them).
+    #[arg(long, value_name = "NAME")]
+    pub preset: Option<String>,
+    /// Everything random is drawn from it.
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    pub seed: Option<u64>,
+}
+
+/// `--format`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum FormatArg {
+    /// One OBJ a frame.
+    Obj,
+    /// One binary glTF that shows the frames one after the other.
+    Gltf,
 }
 
 /// The command line of an example: its scene is fixed, the rest is that of `view` and `render`.

@@ -11,9 +11,10 @@
 //! ```
 //!
 //! A run without a window goes [`cli`] -> [`scenes`] -> [`job`] -> [`headless`] -> [`record`] and [`report`]; a run with one
-//! goes [`cli`] -> [`scenes`] -> [`window`]. Errors become one line and exit code 2 in [`program`].
+//! goes [`cli`] -> [`scenes`] -> [`window`]; flames for other programs go [`cli`] -> [`scenes`] -> [`export`]. Errors become one line and exit code 2 in [`program`].
 
 pub mod cli;
+pub mod export;
 pub mod gpu;
 pub mod headless;
 pub mod job;

@@ -1,10 +1,10 @@
 //! What the program and the examples do with a command line, and how they fail: one line, exit code 2.
 
 use crate::cli::{Command, ExampleArgs, ProgramArgs, RecordArgs, SceneArgs, one_line};
-use crate::headless;
 use crate::job::Job;
 use crate::progress::say;
 use crate::window::{self, Outcome, WindowJob};
+use crate::{export, headless};
 use crate::{record, scenes};
 use anyhow::{Result, bail};
 use clap::Parser;
@@ -60,6 +60,12 @@ fn program(args: ProgramArgs) -> Result<()> {
             let name = Path::new(&scene).file_stem().unwrap_or_default().to_owned();
             render(loaded, &changes, &record, Path::new(&name).with_extension("png"))
         }
+        Some(Command::Export { scene, export }) => {
+            let (preset, seed) = (export.preset.clone(), export.seed);
+            let loaded = scenes::open(&scene, &SceneArgs { preset, seed, ..SceneArgs::default() }, |_| {})?;
+            export::run(loaded, &export)?.iter().for_each(|line| print_line(line));
+            Ok(())
+        }
     }
 }
 
@@ -102,6 +108,7 @@ fn print_overview() {
          lucerna view SCENE                    opens a window\n  \
          lucerna render SCENE --out fire.png   draws a picture\n  \
          lucerna render SCENE --out fire.gif   records an animation\n  \
+         lucerna export SCENE --out folder     writes the flames for other programs\n  \
          lucerna help                          lists every option\n\n\
          SCENE is one of the names above or the path of a scene file.",
     );

@@ -27,6 +27,13 @@ fn options_out_of_range_are_refused() {
     }
     place.refuse("render candle --colour red", &["--colour"]);
     place.refuse("view candle", &["display", "lucerna render"]);
+    place.refuse("export candle", &["--out <FOLDER>"]);
+    for (option, value) in [("--format", "fbx"), ("--frames", "0"), ("--fps", "0"), ("--warmup", "-1"), ("--seed", "x")]
+    {
+        place.refuse(&format!("export candle --out e {option} {value}"), &[option, value]);
+    }
+    place.refuse("export bonfire --out e", &["scene", "`bonfire`", "candle, torch, campfire"]);
+    assert!(!place.path("e").exists());
 }
 
 #[test]
@@ -38,6 +45,12 @@ fn places_that_cannot_be_written_to_are_refused_before_anything_burns() {
         // A run that would take minutes.
         let line = format!("render campfire --warmup 600 --size 2000x2000 --out {out}");
         place.refuse(&line, &["cannot", out.trim_end_matches('/')]);
+    }
+    fs::create_dir_all(place.path("taken/lights.csv")).expect("a folder");
+    for (out, options, named) in
+        [("file", "", "file"), ("file/inside", "", "file/inside"), ("taken", "--lights", "taken/lights.csv")]
+    {
+        place.refuse(&format!("export campfire --warmup 600 --out {out} {options}"), &["cannot", named]);
     }
     place.refuse("render candle --out a.jpg", &["a.jpg", ".png, .gif or a folder"]);
     place.refuse("render candle --warmup 600 --report folder.json", &["cannot write", "folder.json"]);

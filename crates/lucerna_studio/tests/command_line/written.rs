@@ -9,7 +9,7 @@ use std::path::Path;
 fn a_bare_call_lists_scenes_presets_and_commands() {
     let place = Place::new("overview");
     let overview = place.succeed("");
-    for word in ["candle", "torch", "campfire", "paper", "draft", "fine", "render", "view"] {
+    for word in ["candle", "torch", "campfire", "paper", "draft", "fine", "render", "view", "export"] {
         assert!(overview.contains(word), "{word} is not in: {overview}");
     }
     assert!(place.succeed("--version").starts_with("lucerna "));
@@ -56,6 +56,40 @@ fn a_picture_an_animation_and_a_folder_are_written() {
     let frames: Vec<_> = names.iter().map(|name| read_png(&place.path("frames").join(name))).collect();
     assert!(frames.iter().all(|(size, _)| *size == (48, 32)));
     assert!(frames[0].1 != frames[1].1 && frames[1].1 != frames[2].1, "the fire stands still");
+}
+
+#[test]
+fn flames_are_exported_without_a_graphics_device() {
+    let place = Place::new("exported");
+    place.write_scene("", "");
+    let export = |options: &str| {
+        let line = format!("export scene.ron --warmup 0.2 --frames 2 --fps 20 {options}");
+        // No driver is found there.
+        let run = place.run_with(&line, &[("VK_DRIVER_FILES", "none"), ("VK_ICD_FILENAMES", "none")]);
+        assert!(run.code == Some(0) && run.complaints.is_empty(), "`lucerna {line}`: {run:?}");
+        run.out
+    };
+    let names = |folder: &str| {
+        let entries = fs::read_dir(place.path(folder)).expect("a folder");
+        let mut names: Vec<_> =
+            entries.map(|entry| entry.expect("an entry").file_name().into_string().expect("a name")).collect();
+        names.sort();
+        names
+    };
+    let said = export("--out all --format obj --nets --lights");
+    assert_eq!(said, "wrote 2 meshes to all\nwrote 2 files of control nets to all\nwrote all/lights.csv (2 frames)\n");
+    let meshes = ["flames_00000.obj", "flames_00001.obj"];
+    assert_eq!(names("all"), [&meshes[..], &["lights.csv", "nets_00000.json", "nets_00001.json"]].concat());
+    let read = |name: &str| fs::read_to_string(place.path("all").join(name)).expect(name);
+    assert!(read(meshes[0]).contains("g flame_0") && read(meshes[0]) != read(meshes[1]));
+    // 0.2 s of warm-up, then the first frame's 1/20 s, in steps of 1/60 s.
+    let net: Value = serde_json::from_str(&read("nets_00000.json")).expect("JSON");
+    assert!((net["time_s"].as_f64().expect("a time") - 0.25).abs() < 1e-6, "{net}");
+    assert!(read("lights.csv").lines().last().expect("a row").starts_with("0.3"));
+
+    assert_eq!(export("--out one"), "wrote one/flames.glb (2 frames)\n");
+    assert_eq!(names("one"), ["flames.glb"]);
+    assert!(fs::read(place.path("one/flames.glb")).expect("a file").starts_with(b"glTF"));
 }
 
 #[test]
