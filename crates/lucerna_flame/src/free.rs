@@ -1,13 +1,18 @@
 //! Free flames: tips that broke away, rise with the air and burn out.
 
 use crate::air::{Air, keep_inside};
-use crate::net::{self, Spine};
+use crate::net;
 use crate::random::Fnv;
-use crate::surface::Surface;
-use glam::{Mat3, Vec3};
+use crate::spine::{self, Limits, Spine, direction};
+use crate::surface::{Surface, SurfacePlan};
+use glam::{Mat3, Quat, Vec3};
 
 /// Time over which a broken tip draws back and its free flame appears, s.
 pub(crate) const BREAK_S: f32 = 0.04;
+
+/// Least length of a free flame and radius of its tightest bend, as a share of its greatest width.
+const SHORTEST: f32 = 0.5;
+const TIGHTEST: f32 = 1.0;
 
 /// Rows of a free flame's net.
 pub(crate) const ROWS: usize = 4;
@@ -25,6 +30,7 @@ pub(crate) struct Free {
     lengths: Vec<f32>,
     shaped: Vec<Vec3>,
     pub(crate) net: Vec<[f32; 3]>,
+    raw_net: Vec<[f32; 3]>,
     pub(crate) surface: Surface,
 }
 
@@ -71,6 +77,13 @@ impl Free {
             air.carry(spine, dt_s);
             let bounds = air.bounds();
             spine.iter_mut().for_each(|p| *p = keep_inside(*p, bounds, bounds.1));
+            let (spine, rows) = self.points.split_at_mut(n);
+            let widest = rows.iter().map(|p| p.length_squared()).fold(0.0, f32::max).sqrt().max(1e-5);
+            let stands = (spine[1] - spine[0]).normalize_or(Vec3::Y);
+            let limits = Limits { stands, least_m: SHORTEST * widest, bend_m: TIGHTEST * widest };
+            spine::straighten(spine, &mut self.lengths, &mut self.shaped, limits);
+            // The side turns with the flame: were it to stay, a flame that leans towards it would twist.
+            self.side = frame(direction(spine, 0), self.side).x_axis;
         }
     }
 
@@ -81,28 +94,47 @@ impl Free {
     }
 
     /// Makes the net: closed at both ends, shrinking onto its spine as it burns out.
-    pub(crate) fn build_net(&mut self) {
+    pub(crate) fn build_net(&mut self, plan: &SurfacePlan) {
         let n = self.count();
         let x = (self.age_s / self.life_s).clamp(0.0, 1.0);
         let size = (1.0 - x * x).max(0.02);
         let (spine, rows) = self.points.split_at_mut(n);
-        net::measure(spine, &mut self.lengths, 1e-4);
+        spine::measure(spine, &mut self.lengths);
         let spine = Spine { points: spine, lengths: &self.lengths };
         let middle = spine.points[n / 2];
+        // The cut rounds itself off soon after it was made.
+        let round = |k: usize| {
+            let y = 1.0 - k as f32 / (n - 1) as f32;
+            size * (1.0 - (0.6 + 0.4 * (5.0 * x).min(1.0)) * y * y)
+        };
+        // Burning out also shortens it, towards its middle.
+        let shorten = |point: Vec3| middle.lerp(point, 0.5 + 0.5 * size);
         for (r, row) in rows.chunks_exact(n).enumerate() {
-            for (k, (point, centre)) in self.shaped.iter_mut().zip(spine.points).enumerate() {
-                // The cut rounds itself off soon after it was made.
-                let y = 1.0 - k as f32 / (n - 1) as f32;
-                let round = 1.0 - (0.6 + 0.4 * (5.0 * x).min(1.0)) * y * y;
-                *point = *centre + frame(direction(spine.points, k), self.side) * row[k] * (round * size);
+            let axes = frames(spine.points, self.side);
+            for (k, ((point, centre), axes)) in self.shaped.iter_mut().zip(spine.points).zip(axes).enumerate() {
+                *point = *centre + axes * row[k] * round(k);
             }
             let out = &mut self.net[r * (n + 2)..][..n + 2];
             net::write_row(out, &spine, &self.shaped);
-            // Burning out also shortens it, towards its middle.
             for point in out {
-                *point = middle.lerp(Vec3::from(*point), 0.5 + 0.5 * size).to_array();
+                *point = shorten(Vec3::from(*point)).to_array();
             }
         }
+        // As thick, but straight and round, for where the air bends and shears it too much.
+        let (bottom, tip) = (spine.points[0], spine.points[n - 1]);
+        let along = (tip - bottom).normalize_or(Vec3::Y);
+        let axes = frame(along, self.side);
+        let around = [axes.y_axis, axes.x_axis, -axes.y_axis, -axes.x_axis];
+        let straight = |i: usize| {
+            let (row, column) = (i / (n + 2), i % (n + 2));
+            let k = n.saturating_sub(column).min(n - 1);
+            let mean = (0..ROWS).map(|r| rows[r * n + k].length()).sum::<f32>() / ROWS as f32;
+            let inside = (1..=n).contains(&column);
+            let across = if inside { around[row] * (mean * round(k)) } else { Vec3::ZERO };
+            shorten(bottom + along * (spine.total() * k as f32 / (n - 1) as f32) + across)
+        };
+        let surface = &mut self.surface;
+        net::calm(&mut self.net, &mut self.raw_net, straight, |net| surface.is_right_side_out(plan, net));
     }
 
     pub(crate) fn hash(&self, fnv: &mut Fnv) {
@@ -116,13 +148,17 @@ impl Free {
     }
 }
 
-/// The direction of a line at one of its points.
-pub(crate) fn direction(line: &[Vec3], k: usize) -> Vec3 {
-    (line[(k + 1).min(line.len() - 1)] - line[k.saturating_sub(1)]).normalize_or(Vec3::Y)
-}
-
 /// Axes about a spine: across it towards `side`, across it the other way, along it.
 pub(crate) fn frame(along: Vec3, side: Vec3) -> Mat3 {
     let across = side.reject_from_normalized(along).normalize_or(along.any_orthonormal_vector());
     Mat3::from_cols(across, along.cross(across), along)
+}
+
+/// The frames at the points of a line: the first towards `side`, each next turned only as the line bends.
+pub(crate) fn frames(line: &[Vec3], side: Vec3) -> impl Iterator<Item = Mat3> + '_ {
+    let mut axes = frame(direction(line, 0), side);
+    (0..line.len()).map(move |k| {
+        axes = Mat3::from_quat(Quat::from_rotation_arc(axes.z_axis, direction(line, k))) * axes;
+        axes
+    })
 }

@@ -24,6 +24,7 @@ pub mod params;
 mod random;
 mod roots;
 mod section;
+mod spine;
 mod surface;
 mod wick;
 

@@ -37,6 +37,11 @@ pub struct ControlNet<'a> {
 /// Half thickness of a flame that has none, m.
 pub(crate) const THINNEST_M: f32 = 1e-5;
 
+/// Most volume that may be inside out, as a share of what is not.
+const MOST_WRONG: f32 = 0.1;
+/// Least volume, as a share of what the cuts would enclose if they faced the root.
+const LEAST_FACING: f32 = 0.15;
+
 /// What determines a plan.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PlanKey {
@@ -141,6 +146,29 @@ impl Surface {
         }
     }
 
+    /// Cuts the surface of a net, and says whether it is right side out: over a point every cut faces the root, over a
+    /// line next to nothing of what the flame encloses is inside out.
+    pub(crate) fn is_right_side_out(&mut self, plan: &SurfacePlan, net: &[[f32; 3]]) -> bool {
+        self.columns.resize(plan.key.columns, 0.0);
+        self.cut(plan, net);
+        let (mut right, mut wrong, mut most) = (0.0, 0.0, 0.0);
+        for cuts in self.sections.windows(2) {
+            let (area, down) = (cuts[0].area + cuts[1].area, cuts[1].middle - cuts[0].middle);
+            let volume = 0.5 * area.dot(down);
+            most += 0.5 * area.length() * down.length();
+            *(if volume > 0.0 { &mut right } else { &mut wrong }) += volume.abs();
+        }
+        let faces = |cuts: &[Section]| {
+            let (area, next, down) = (cuts[1].area, cuts[2].area, cuts[2].middle - cuts[0].middle);
+            area.dot(down) > LEAST_FACING * area.length() * down.length() && area.dot(next) >= 0.0
+        };
+        let enclosed = right - wrong;
+        wrong <= MOST_WRONG * right
+            && enclosed >= LEAST_FACING * most
+            && volume_of(net, plan.key.columns) >= LEAST_FACING * enclosed
+            && (!plan.poles || self.sections.windows(3).all(faces))
+    }
+
     /// Cuts the surface at every ring of vertices.
     fn cut(&mut self, plan: &SurfacePlan, net: &[[f32; 3]]) {
         self.sections.clear();
@@ -192,6 +220,18 @@ impl Surface {
         let total = self.columns[0].max(1e-12);
         self.columns.iter_mut().for_each(|h| *h /= total);
     }
+}
+
+/// What a net encloses, m^3: its rows run clockwise seen from the tip, its columns from tip to root.
+fn volume_of(net: &[[f32; 3]], columns: usize) -> f32 {
+    let rows = net.len() / columns;
+    let at = |r: usize, c: usize| Vec3::from(net[r % rows * columns + c]) - Vec3::from(net[0]);
+    let six = |a: Vec3, b: Vec3, c: Vec3| a.dot(b.cross(c));
+    let cell = |r: usize, c: usize| {
+        let (a, b, d, e) = (at(r, c), at(r + 1, c), at(r, c + 1), at(r + 1, c + 1));
+        six(a, b, d) + six(b, e, d)
+    };
+    (0..rows).flat_map(|r| (0..columns - 1).map(move |c| (r, c))).map(|(r, c)| cell(r, c)).sum::<f32>() / 6.0
 }
 
 /// Half the distance between the two sides of a ring: vertex i mirrors vertex n - i about the wick.

@@ -1,22 +1,10 @@
 //! Wicks of all shapes: where their centrelines run and what is refused.
 
-use glam::{Quat, Vec3};
-use lucerna_flame::{Centreline, FlameError, Roots, WickShape};
+mod support;
 
-/// Rings of vertices around a line, like a wick modelled as a tube.
-fn tube(line: impl Fn(f32) -> Vec3, rings: usize, radius: f32) -> Vec<[f32; 3]> {
-    let mut out = Vec::new();
-    for i in 0..rings {
-        let s = i as f32 / (rings - 1) as f32;
-        let forward = (line((s + 1e-3).min(1.0)) - line((s - 1e-3).max(0.0))).normalize();
-        let a = forward.any_orthonormal_vector();
-        for k in 0..8 {
-            let turn = Quat::from_axis_angle(forward, k as f32 * std::f32::consts::TAU / 8.0);
-            out.push((line(s) + turn * a * radius).to_array());
-        }
-    }
-    out
-}
+use glam::Vec3;
+use lucerna_flame::{Centreline, FlameError, Roots, WickShape};
+use support::shapes::tube;
 
 fn line_of(vertices: Vec<[f32; 3]>) -> Vec<Vec3> {
     match WickShape::Vertices(vertices).centreline() {

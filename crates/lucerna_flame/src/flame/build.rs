@@ -1,12 +1,17 @@
 //! From chains to nets and surfaces.
 
 use super::Flame;
-use crate::net::{self, Shaping, Spine};
+use crate::net::{self, Shaping};
 use crate::random::Fnv;
+use crate::spine::{self, Limits, Spine};
 use crate::surface::{Surface, Surfaces};
 use glam::Vec3;
 use lucerna_frame::FlameShade;
 
+/// Radius of the tightest bend of a spine, as a share of the flame's width.
+const TIGHTEST: f32 = 0.5;
+/// Least length of a spine, as a share of the flame's width.
+const SHORTEST: f32 = 1.0;
 /// Least distance of neighbouring lead skeletons along the wick, as a share of that of their roots.
 const LEAST_GAP: f32 = 0.25;
 
@@ -15,10 +20,11 @@ impl Flame {
     pub(super) fn trace_spines(&mut self) {
         let points = self.row.len();
         let s = &self.settings.skeletons;
+        let limits = Limits { stands: Vec3::Y, least_m: SHORTEST * s.width_m, bend_m: TIGHTEST * s.width_m };
         let spines = self.spines.chunks_exact_mut(points).zip(self.lengths.chunks_exact_mut(points));
         for (i, ((spine, lengths), tongue)) in spines.zip(&self.tongues).enumerate() {
             self.chains.sample(i, s.lead_life_s * tongue.reach / (points - 1) as f32, spine);
-            net::measure(spine, lengths, s.width_m);
+            spine::straighten(spine, lengths, &mut self.row, limits);
         }
         self.part_spines();
     }
@@ -36,13 +42,19 @@ impl Flame {
                 spines[moved * points + k] += away * (least - gap.dot(away)).max(0.0);
             }
             let range = moved * points..(moved + 1) * points;
-            net::measure(&mut spines[range.clone()], &mut lengths[range], 0.0);
+            spine::measure(&spines[range.clone()], &mut lengths[range]);
         };
         for moved in middle + 1..leads {
             apart(&mut self.spines, &mut self.lengths, moved - 1, moved);
         }
         for moved in (0..middle).rev() {
             apart(&mut self.spines, &mut self.lengths, moved + 1, moved);
+        }
+        self.rooms.fill(f32::INFINITY);
+        for right in points..leads * points {
+            let room = 0.5 * self.spines[right].distance(self.spines[right - points]);
+            self.rooms[right] = room;
+            self.rooms[right - points] = self.rooms[right - points].min(room);
         }
     }
 
@@ -56,19 +68,51 @@ impl Flame {
         let spread = if leads == 1 { 1.5 } else { 1.0 };
         for (r, (out, root)) in self.net.chunks_exact_mut(points + 2).zip(&self.roots.peripherals).enumerate() {
             let range = root.lead * points..(root.lead + 1) * points;
-            let spine = Spine { points: &self.spines[range.clone()], lengths: &self.lengths[range] };
+            let spine = Spine { points: &self.spines[range.clone()], lengths: &self.lengths[range.clone()] };
             let reach = self.tongues[root.lead].reach;
             self.chains.sample(leads + r, s.peripheral_life_s * reach / (points - 1) as f32, &mut self.row);
+            net::unfold(&spine, &mut self.row, &mut self.heights);
             let how = Shaping {
                 outward: root.outward,
                 least_m: 0.15 * s.width_m,
-                most_m: 2.0 * (s.width_m + s.expansion_m_s * s.expansion_s()),
+                // A short flame wider than it is long would be a disc that every breath turns over.
+                most_m: (2.0 * (s.width_m + s.expansion_m_s * s.expansion_s())).min(0.5 * spine.total()),
                 taper: s.taper,
                 spread,
             };
-            net::shape(&spine, &mut self.row, how, &mut self.heights);
+            net::shape(&spine, &mut self.row, &self.heights, &self.rooms[range], how);
             net::write_row(out, &spine, &self.row);
         }
+        self.calm_net(spread);
+    }
+
+    /// Where the air turns parts of the net inside out, draws it over to a plain flame: horizontal cuts one over the
+    /// other, in the direction in which the tongues lean on the whole.
+    fn calm_net(&mut self, spread: f32) {
+        let points = self.row.len();
+        let s = &self.settings.skeletons;
+        let leads = self.roots.leads.len();
+        let reaches = || self.spines.chunks_exact(points).map(|spine| spine[points - 1] - spine[0]);
+        let mean = reaches().sum::<Vec3>() / leads as f32;
+        let flat = mean.with_y(0.0).clamp_length_max(1.5 * mean.y.max(0.0));
+        let length = (reaches().map(Vec3::length).sum::<f32>() / leads as f32).max(SHORTEST * s.width_m);
+        let way = flat.with_y(mean.y.max(0.0)).normalize_or(Vec3::Y) * length;
+        let plain = |i: usize| {
+            let (row, column) = (i / (points + 2), i % (points + 2));
+            let root = &self.roots.peripherals[row];
+            let foot = self.spines[root.lead * points];
+            match column {
+                0 => foot + way,
+                c if c == points + 1 => foot,
+                c => {
+                    let x = (points - c) as f32 / (points - 1) as f32;
+                    let narrow = 1.0 - s.taper * x * x;
+                    foot + way * (net::HIGHEST * x) + root.outward * (s.width_m * narrow * spread)
+                }
+            }
+        };
+        let (surface, plan) = (&mut self.surface, &self.plan);
+        net::calm(&mut self.net, &mut self.raw_net, plain, |net| surface.is_right_side_out(plan, net));
     }
 
     /// Makes the nets and surfaces of the flame and of its free flames.
@@ -76,7 +120,7 @@ impl Flame {
         self.build_net();
         self.surface.build(&self.plan, &self.net, surfaces);
         for free in self.free.iter_mut().filter(|f| f.burning) {
-            free.build_net();
+            free.build_net(&self.free_plan);
             free.surface.build(&self.free_plan, &free.net, surfaces);
         }
     }

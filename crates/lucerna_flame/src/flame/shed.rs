@@ -2,8 +2,8 @@
 //! free flame at the same place, and what is left regrows more slowly than the gas rises.
 
 use super::Flame;
-use crate::free::{BREAK_S, ROWS, direction, frame};
-use crate::net::Spine;
+use crate::free::{BREAK_S, ROWS, frames};
+use crate::spine::Spine;
 use glam::Vec3;
 
 /// How fast a broken tip regrows, as a share of the speed at which the gas itself rises.
@@ -71,9 +71,9 @@ impl Flame {
         for (k, point) in middle.iter_mut().enumerate() {
             *point = spine.at(bottom + (spine.total() - bottom) * k as f32 / (n - 1) as f32);
         }
-        for (k, centre) in middle.iter().enumerate() {
+        for (k, (centre, axes)) in middle.iter().zip(frames(middle, side)).enumerate() {
             let x = cut + (1.0 - cut) * k as f32 / (n - 1) as f32;
-            let local = frame(direction(middle, k), side).transpose();
+            let local = axes.transpose();
             // Only what is across the spine: the rows keep to its points.
             let from_spine = |row: usize| (local * (chain(row, x) - *centre)).with_z(0.0);
             let around: [Vec3; ROWS] = if leads == 1 {

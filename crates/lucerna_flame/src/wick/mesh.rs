@@ -26,6 +26,16 @@ pub(super) fn centreline(vertices: &[Vec3]) -> Centreline {
     }
 }
 
+/// The closed line around a ring-shaped cloud, and the mean distance of its vertices from it.
+pub(super) fn closed_ring(vertices: &[Vec3]) -> Option<(Vec<Vec3>, f32)> {
+    let clusters = cluster(vertices);
+    let mean = clusters.iter().sum::<Vec3>() / clusters.len() as f32;
+    let mut line = ring(&clusters, mean)?;
+    line.push(line[0]);
+    let radius = clusters.iter().map(|p| distance_to_line(&line, *p)).sum::<f32>() / clusters.len() as f32;
+    Some((line, radius.max(1e-6)))
+}
+
 /// One mean point for each occupied cell of a coarse grid: evens out how densely a mesh is tessellated.
 fn cluster(vertices: &[Vec3]) -> Vec<Vec3> {
     let (low, high) = vertices.iter().fold((vertices[0], vertices[0]), |(l, h), p| (l.min(*p), h.max(*p)));

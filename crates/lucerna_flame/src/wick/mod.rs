@@ -4,6 +4,7 @@
 //! along its own centreline.
 
 mod mesh;
+mod parts;
 
 use crate::{FlameError, WickShape};
 use glam::Vec3;
@@ -21,7 +22,8 @@ pub enum Centreline {
 }
 
 impl WickShape {
-    /// Finds the centreline. A closed ring is cut open where its angle about its own axis is zero.
+    /// Finds the centreline of the whole shape as one wick: a closed ring is cut open where its angle about its own
+    /// axis is zero, and separate parts are joined ([`linear_wicks`](Self::linear_wicks) takes them apart).
     ///
     /// # Errors
     /// When there are no points or too many, one is not finite, or the radius is not above 0.
