@@ -9,6 +9,7 @@ mod figures;
 mod flows;
 mod heat;
 mod inputs;
+mod laws;
 mod obstacles;
 mod points;
 mod poisson;
