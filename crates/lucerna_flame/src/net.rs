@@ -97,7 +97,8 @@ pub(crate) fn write_row(out: &mut [[f32; 3]], spine: &Spine<'_>, row: &[Vec3]) {
 
 /// Draws a net over to a calmer one, no farther than it takes for `is_right_side_out`.
 ///
-/// The share is found by halving, so it grows and fades smoothly with what the air does to the flame.
+/// The share is found by halving, so it grows and fades smoothly with what the air does to the flame. What
+/// `is_right_side_out` sees last is the net that stays, so that it may keep what it measures.
 pub(crate) fn calm(
     net: &mut [[f32; 3]],
     raw: &mut Vec<[f32; 3]>,
@@ -121,6 +122,7 @@ pub(crate) fn calm(
         *(if is_right_side_out(net) { &mut high } else { &mut low }) = middle;
     }
     draw(net, high);
+    is_right_side_out(net);
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ pub(crate) struct Section {
     pub(crate) middle: Vec3,
     /// Its area vector, m^2; rings run clockwise seen from the tip, so it points to the root.
     pub(crate) area: Vec3,
-    /// Height in the flame, 0 at the root and 1 at the tip.
+    /// Height in the flame, 0 at the root and 1 at the tip; 0 until the flame is measured.
     pub(crate) height: f32,
     /// Half thickness, m.
     pub(crate) radius_m: f32,
@@ -27,7 +27,7 @@ const BETWEEN: [f32; 4] = [1.0 / 48.0, 23.0 / 48.0, 23.0 / 48.0, 1.0 / 48.0];
 
 impl Section {
     /// The cut whose ring has these control points, of which the first lies on the axis that the others mirror.
-    pub(crate) fn of(ring: &[Vec3], height: f32) -> Self {
+    pub(crate) fn of(ring: &[Vec3]) -> Self {
         let n = ring.len();
         let middle = ring.iter().sum::<Vec3>() / n as f32;
         let at = |i: usize| ring[i % n] - middle;
@@ -41,7 +41,7 @@ impl Section {
         };
         let square =
             (0..n.div_ceil(2)).fold(0.0, |most: f32, i| most.max(distance(i, AT_KNOT)).max(distance(i, BETWEEN)));
-        Self { middle, area, height, radius_m: (0.5 * square.sqrt()).max(crate::surface::THINNEST_M) }
+        Self { middle, area, height: 0.0, radius_m: (0.5 * square.sqrt()).max(crate::surface::THINNEST_M) }
     }
 }
 
@@ -56,7 +56,7 @@ mod tests {
             let turn = std::f32::consts::TAU / n as f32;
             let ring: Vec<Vec3> =
                 (0..n).map(|i| center + Vec3::new((i as f32 * turn).cos(), 0.0, -(i as f32 * turn).sin())).collect();
-            let section = Section::of(&ring, 0.5);
+            let section = Section::of(&ring);
             // A closed uniform cubic through a regular polygon is round within a few per cent.
             let radius = (2.0 + turn.cos()) / 3.0;
             let area = std::f32::consts::PI * radius * radius;

@@ -137,10 +137,14 @@ pub(crate) struct Surface {
 }
 
 impl Surface {
-    /// Measures a net of `rows` x `columns` control points, and makes the vertices where they are asked for.
+    /// Measures the net of `rows` x `columns` control points that [`is_right_side_out`](Self::is_right_side_out) has
+    /// seen last, and makes the vertices where they are asked for.
     pub(crate) fn build(&mut self, plan: &SurfacePlan, net: &[[f32; 3]], surfaces: Surfaces) {
         self.measure_columns(plan, net);
-        self.cut(plan, net);
+        for (section, (first, weights)) in self.sections.iter_mut().zip(&plan.weights) {
+            let height: f32 = weights.iter().zip(&self.columns[*first..]).map(|(w, h)| w * h).sum();
+            section.height = height.clamp(0.0, 1.0);
+        }
         if surfaces == Surfaces::Vertices {
             self.evaluate(plan, net);
         }
@@ -149,7 +153,6 @@ impl Surface {
     /// Cuts the surface of a net, and says whether it is right side out: over a point every cut faces the root, over a
     /// line next to nothing of what the flame encloses is inside out.
     pub(crate) fn is_right_side_out(&mut self, plan: &SurfacePlan, net: &[[f32; 3]]) -> bool {
-        self.columns.resize(plan.key.columns, 0.0);
         self.cut(plan, net);
         let (mut right, mut wrong, mut most) = (0.0, 0.0, 0.0);
         for cuts in self.sections.windows(2) {
@@ -179,8 +182,7 @@ impl Surface {
                 let row = row[columns.clone()].iter().zip(weights);
                 row.map(|(point, weight)| Vec3::from(*point) * *weight).sum::<Vec3>()
             }));
-            let height: f32 = weights.iter().zip(&self.columns[columns]).map(|(w, h)| w * h).sum();
-            self.sections.push(Section::of(&self.ring, height.clamp(0.0, 1.0)));
+            self.sections.push(Section::of(&self.ring));
         }
     }
 
