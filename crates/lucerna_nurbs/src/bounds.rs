@@ -2,9 +2,8 @@
 
 use alloc::collections::BinaryHeap;
 use alloc::vec::Vec;
-use core::cmp::Ordering;
 
-use crate::patch::Patch;
+use crate::patch::{Patch, Ranked};
 use crate::{Curve, NurbsError, Real, Surface, check};
 
 /// A box along the axes.
@@ -106,7 +105,6 @@ impl<T: Real> Surface<T> {
 
 /// A patch whose control points reach out of the known box.
 struct Candidate<const D: usize> {
-    excess: f64,
     hull: Bounds<f64, D>,
     patch: Patch<D>,
 }
@@ -118,12 +116,12 @@ fn tighten<T: Real, const D: usize>(patches: Vec<Patch<D>>, tolerance: f64) -> B
     let mut known = Bounds::of(patches.iter().flat_map(Patch::corners).map(|(_, point)| point));
     let candidate = |patch: Patch<D>, known: &Bounds<f64, D>| {
         let hull = Bounds::of(patch.hull());
-        Candidate { excess: known.excess(&hull), hull, patch }
+        Ranked { rank: known.excess(&hull), item: Candidate { hull, patch } }
     };
     let mut heap: BinaryHeap<_> = patches.into_iter().map(|patch| candidate(patch, &known)).collect();
     let mut settled = Vec::new();
     for _ in 0..halvings {
-        let Some(farthest) = heap.pop() else { break };
+        let Some(Ranked { item: farthest, .. }) = heap.pop() else { break };
         // The known box may have grown since.
         if known.excess(&farthest.hull) <= tolerance {
             settled.push(farthest.hull);
@@ -138,29 +136,9 @@ fn tighten<T: Real, const D: usize>(patches: Vec<Patch<D>>, tolerance: f64) -> B
             heap.push(candidate(half, &known));
         }
     }
-    for hull in settled.into_iter().chain(heap.into_iter().map(|candidate| candidate.hull)) {
+    for hull in settled.into_iter().chain(heap.into_iter().map(|candidate| candidate.item.hull)) {
         known.include(hull.min);
         known.include(hull.max);
     }
     Bounds { min: known.min.map(T::from_f64), max: known.max.map(T::from_f64) }
 }
-
-impl<const D: usize> Ord for Candidate<D> {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.excess.total_cmp(&other.excess)
-    }
-}
-
-impl<const D: usize> PartialOrd for Candidate<D> {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl<const D: usize> PartialEq for Candidate<D> {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl<const D: usize> Eq for Candidate<D> {}

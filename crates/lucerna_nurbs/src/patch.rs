@@ -3,10 +3,37 @@
 //! A curve is a patch with a single point across. Everything is in `f64`.
 
 use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 use crate::strip::Strip;
 use crate::vector::lerp;
 use crate::{Curve, Direction, NurbsError, Real, Surface};
+
+/// Something in a heap that is taken out the greatest `rank` first.
+pub(crate) struct Ranked<T> {
+    pub(crate) rank: f64,
+    pub(crate) item: T,
+}
+
+impl<T> Ord for Ranked<T> {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.rank.total_cmp(&other.rank)
+    }
+}
+
+impl<T> PartialOrd for Ranked<T> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl<T> PartialEq for Ranked<T> {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl<T> Eq for Ranked<T> {}
 
 /// A rational Bezier patch with the parameters it covers.
 #[derive(Clone, Debug)]

@@ -8,10 +8,9 @@ mod newton;
 
 use alloc::collections::BinaryHeap;
 use alloc::vec::Vec;
-use core::cmp::Ordering;
 
 use crate::fit::distance;
-use crate::patch::Patch;
+use crate::patch::{Patch, Ranked};
 use crate::{Curve, NurbsError, Real, Surface, check};
 use newton::{Jet, polish};
 
@@ -132,30 +131,22 @@ fn length<const D: usize>(a: [f64; D]) -> f64 {
     Real::sqrt(a.iter().map(|x| x * x).sum::<f64>())
 }
 
-/// A patch and what its points are away from the origin at least.
-struct Candidate<const D: usize> {
-    least: f64,
-    patch: Patch<D>,
-}
-
-impl<const D: usize> Candidate<D> {
-    /// The bound: the control points lie in a box, and behind a plane across the way to their
-    /// middle; so do all points of the patch.
-    fn new(patch: Patch<D>) -> Self {
-        let (mut min, mut max, mut middle) = ([f64::MAX; D], [-f64::MAX; D], [0.0; D]);
-        for point in patch.hull() {
-            for axis in 0..D {
-                min[axis] = min[axis].min(point[axis]);
-                max[axis] = max[axis].max(point[axis]);
-                middle[axis] += point[axis];
-            }
+/// What the points of a patch are away from the origin at least: the control points lie in a box, and behind a plane
+/// across the way to their middle; so do all points of the patch.
+fn least_distance<const D: usize>(patch: &Patch<D>) -> f64 {
+    let (mut min, mut max, mut middle) = ([f64::MAX; D], [-f64::MAX; D], [0.0; D]);
+    for point in patch.hull() {
+        for axis in 0..D {
+            min[axis] = min[axis].min(point[axis]);
+            max[axis] = max[axis].max(point[axis]);
+            middle[axis] += point[axis];
         }
-        let to_box = length::<D>(core::array::from_fn(|axis| min[axis].max(0.0).max(-max[axis])));
-        let far = length(middle);
-        let along = |point: [f64; D]| point.iter().zip(middle).map(|(a, b)| a * (b / far)).sum::<f64>();
-        let to_plane = if far > 0.0 { patch.hull().map(along).fold(f64::MAX, f64::min) } else { 0.0 };
-        Self { least: to_box.max(to_plane), patch }
     }
+    let to_box = length::<D>(core::array::from_fn(|axis| min[axis].max(0.0).max(-max[axis])));
+    let far = length(middle);
+    let along = |point: [f64; D]| point.iter().zip(middle).map(|(a, b)| a * (b / far)).sum::<f64>();
+    let to_plane = if far > 0.0 { patch.hull().map(along).fold(f64::MAX, f64::min) } else { 0.0 };
+    to_box.max(to_plane)
 }
 
 /// The parameters at which the shape comes closest to the origin.
@@ -173,40 +164,20 @@ fn search<const D: usize>(
     let corners = patches.iter().map(nearest);
     let best = corners.fold((start, f64::INFINITY), |a, b| if b.1 < a.1 { b } else { a });
     let mut best = polish(best, domain, &jet)?;
-    let mut heap: BinaryHeap<_> = patches.into_iter().map(Candidate::new).collect();
+    let nearest_first = |patch: Patch<D>| Ranked { rank: -least_distance(&patch), item: patch };
+    let mut heap: BinaryHeap<_> = patches.into_iter().map(nearest_first).collect();
     for _ in 0..halvings {
-        let Some(candidate) = heap.pop() else { break };
-        if candidate.least >= best.1 * (1.0 - SLACK) - f64::EPSILON {
+        let Some(Ranked { rank, item: patch }) = heap.pop() else { break };
+        if -rank >= best.1 * (1.0 - SLACK) - f64::EPSILON {
             break;
         }
-        for half in candidate.patch.halve(candidate.patch.long()).into_iter().flatten() {
+        for half in patch.halve(patch.long()).into_iter().flatten() {
             let corner = nearest(&half);
             if corner.1 < best.1 {
                 best = polish(corner, domain, &jet)?;
             }
-            heap.push(Candidate::new(half));
+            heap.push(nearest_first(half));
         }
     }
     Ok(best.0)
 }
-
-impl<const D: usize> Ord for Candidate<D> {
-    /// The nearest is the greatest: it is taken first.
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.least.total_cmp(&self.least)
-    }
-}
-
-impl<const D: usize> PartialOrd for Candidate<D> {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl<const D: usize> PartialEq for Candidate<D> {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl<const D: usize> Eq for Candidate<D> {}

@@ -1,36 +1,21 @@
 //! Rational shapes with known equations: sphere, torus, quarter cylinder.
 
+use crate::nets;
 use lucerna_nurbs::{Closure, Curve, GridOptions, GridPlan, GridVertex, KnotVector, Surface};
 use std::f64::consts::FRAC_1_SQRT_2 as H;
-
-/// A full circle in nine points, homogeneous: x, y, weight.
-const CIRCLE: [[f64; 3]; 9] = [
-    [1.0, 0.0, 1.0],
-    [1.0, 1.0, H],
-    [0.0, 1.0, 1.0],
-    [-1.0, 1.0, H],
-    [-1.0, 0.0, 1.0],
-    [-1.0, -1.0, H],
-    [0.0, -1.0, 1.0],
-    [1.0, -1.0, H],
-    [1.0, 0.0, 1.0],
-];
-
-fn circle_knots() -> KnotVector<f64> {
-    KnotVector::clamped(2, &[0.25, 0.25, 0.5, 0.5, 0.75, 0.75]).unwrap()
-}
 
 /// Revolves a profile of `[radius, y, weight]` so that normals point outwards.
 fn revolve(knots_v: KnotVector<f64>, profile: &[[f64; 3]]) -> Surface<f64> {
     let mut points = Vec::new();
     let mut weights = Vec::new();
-    for [x, z, w] in CIRCLE {
+    let (circle_knots, ring) = nets::circle();
+    for [x, z, w] in ring {
         for &[radius, y, weight] in profile {
             points.push([radius * x, y, -radius * z]);
             weights.push(w * weight);
         }
     }
-    Surface::new(circle_knots(), knots_v, points, Some(weights)).unwrap()
+    Surface::new(circle_knots, knots_v, points, Some(weights)).unwrap()
 }
 
 fn sphere() -> Surface<f64> {
@@ -39,8 +24,8 @@ fn sphere() -> Surface<f64> {
 }
 
 fn torus() -> Surface<f64> {
-    let profile = CIRCLE.map(|[x, y, w]| [3.0 + x, y, w]);
-    revolve(circle_knots(), &profile)
+    let (knots, ring) = nets::circle();
+    revolve(knots, &ring.map(|[x, y, w]| [3.0 + x, y, w]))
 }
 
 /// A quarter circle of radius 1 by its Bezier form, with two derivatives.
@@ -95,7 +80,7 @@ fn a_quarter_cylinder_has_the_derivatives_of_its_equation() {
     }
 }
 
-/// A point of the rational circle of `CIRCLE`, with two derivatives in the parameter.
+/// A point of the rational circle of nine points, with two derivatives in the parameter.
 fn circle(t: f64) -> [[f64; 2]; 3] {
     let arc = ((t * 4.0) as usize).min(3);
     let mut d = quarter(t * 4.0 - arc as f64);
@@ -169,9 +154,10 @@ fn collapsed_edges_of_u_have_normals_too() {
 
 #[test]
 fn a_circle_keeps_its_curvature() {
-    let points = CIRCLE.map(|[x, y, _]| [x, y]).to_vec();
-    let weights = CIRCLE.map(|[_, _, w]| w).to_vec();
-    let curve = Curve::new(circle_knots(), points, Some(weights)).unwrap();
+    let (knots, ring) = nets::circle();
+    let points = ring.map(|[x, y, _]| [x, y]).to_vec();
+    let weights = ring.map(|[_, _, w]| w).to_vec();
+    let curve = Curve::new(knots, points, Some(weights)).unwrap();
     for i in 0..=64 {
         let t = f64::from(i) / 64.0;
         let d = curve.derivatives(t, 2).unwrap();
