@@ -251,7 +251,7 @@ fn settings(scene: &LoadedScene) -> Result<Vec<FlameSettings>, WorldError> {
     }
     let fires = &scene.scene.fires;
     let matches = fires.len() == scene.wicks.len()
-        && fires.iter().zip(&scene.wicks).all(|(fire, shapes)| fire.wicks.len() == shapes.len());
+        && fires.iter().zip(&scene.wicks).all(|(fire, shapes)| fire.wicks.len() <= shapes.len());
     if !matches {
         return Err(WorldError::Wicks {
             fires: fires.len(),

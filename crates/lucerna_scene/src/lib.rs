@@ -22,12 +22,12 @@ mod load;
 mod model;
 mod presets;
 mod validate;
+mod wick;
 
 pub use builtin::{builtin, builtin_names};
 pub use error::SceneError;
 pub use load::{load, open, parse};
-pub use model::{
-    Air, AirAdvection, AirSides, Fire, HeatAdvection, LoadedScene, MeshSource, Pressure, Scene, WickSource,
-};
+pub use model::{Air, AirAdvection, AirSides, Fire, HeatAdvection, LoadedScene, MeshSource, Pressure, Scene};
 pub use presets::{apply_preset, presets};
 pub use validate::validate;
+pub use wick::WickSource;

@@ -2,8 +2,7 @@
 
 use crate::assets::{self, Assets};
 use crate::validate::{self, Check};
-use crate::{LoadedScene, Scene, SceneError, WickSource, import};
-use lucerna_flame::WickShape;
+use crate::{LoadedScene, Scene, SceneError, import, wick};
 use ron::extensions::Extensions;
 use ron::ser::PrettyConfig;
 use std::path::Path;
@@ -104,11 +103,11 @@ fn assemble(scene: Scene, base_dir: &Path, file: Option<&Path>) -> Result<Loaded
     let check = Check::new(file);
     validate::scene(&check, &scene)?;
     let assets = Assets::new(base_dir);
-    let wicks = wicks(&check, &scene, assets)?;
+    let wicks = wick::shapes(&check, &scene, assets)?;
     let mut meshes = Vec::with_capacity(scene.meshes.len());
     let mut vertices = 0;
     for (index, source) in scene.meshes.iter().enumerate() {
-        let mesh = import::opaque_mesh(&assets.resolve(&source.file), source.position_m, source.scale)?;
+        let mesh = import::opaque_mesh(&assets.resolve(&source.file), &source.placement())?;
         vertices += mesh.vertices.len();
         if vertices > MAX_SCENE_VERTICES {
             let field = format!("the number of vertices up to meshes[{index}]");
@@ -117,29 +116,4 @@ fn assemble(scene: Scene, base_dir: &Path, file: Option<&Path>) -> Result<Loaded
         meshes.push(mesh);
     }
     Ok(LoadedScene { scene, wicks, meshes })
-}
-
-fn wicks(check: &Check<'_>, scene: &Scene, assets: Assets<'_>) -> Result<Vec<Vec<WickShape>>, SceneError> {
-    let mut fires = Vec::with_capacity(scene.fires.len());
-    for (f, fire) in scene.fires.iter().enumerate() {
-        let mut shapes = Vec::with_capacity(fire.wicks.len());
-        for (w, wick) in fire.wicks.iter().enumerate() {
-            match wick {
-                WickSource::Polyline { points, radius_m } => {
-                    shapes.push(WickShape::Polyline { points: points.clone(), radius_m: *radius_m });
-                }
-                WickSource::Mesh { file, group, position_m, scale } => {
-                    let path = assets.resolve(file);
-                    let vertices = import::wick_vertices(&path, group.as_deref(), *position_m, *scale)?;
-                    let field = format!("fires[{f}].wicks[{w}]");
-                    for vertex in &vertices {
-                        validate::inside_air(check, &scene.air, &field, *vertex)?;
-                    }
-                    shapes.push(WickShape::Vertices(vertices));
-                }
-            }
-        }
-        fires.push(shapes);
-    }
-    Ok(fires)
 }

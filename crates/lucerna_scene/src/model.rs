@@ -1,5 +1,7 @@
 //! The scene as it stands in a file.
 
+use crate::WickSource;
+use glam::{EulerRot, Quat};
 use lucerna_flame::{Fuel, Skeletons, SurfaceGrid};
 use lucerna_frame::{Camera, FlameShade, Look};
 use serde::{Deserialize, Serialize};
@@ -141,7 +143,7 @@ impl Air {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Fire {
-    /// The wicks; each carries one flame.
+    /// The wicks; each carries a flame, or several where it is a ring or has several parts.
     pub wicks: Vec<WickSource>,
     /// What burns.
     #[serde(default)]
@@ -157,34 +159,6 @@ pub struct Fire {
     pub shade: FlameShade,
 }
 
-/// Where a wick comes from.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case", deny_unknown_fields)]
-pub enum WickSource {
-    /// A centreline through points, with a radius, in metres.
-    Polyline {
-        /// World positions, m; one point is a candle's wick.
-        points: Vec<[f32; 3]>,
-        /// Radius, m.
-        radius_m: f32,
-    },
-    /// The vertices of a mesh file (OBJ, glTF, GLB): all of them, or those of the group whose name begins with
-    /// `wick` where there is one.
-    Mesh {
-        /// The file, relative to the scene file.
-        file: PathBuf,
-        /// The group, object or node; needed where a file has several whose names begin with `wick`.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
-        group: Option<String>,
-        /// Where its origin goes, m.
-        #[serde(default)]
-        position_m: [f32; 3],
-        /// Its scale.
-        #[serde(default = "one")]
-        scale: f32,
-    },
-}
-
 /// An opaque thing from a file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -194,13 +168,52 @@ pub struct MeshSource {
     /// Where its origin goes, m.
     #[serde(default)]
     pub position_m: [f32; 3],
+    /// How it is turned about its origin, degrees: about x, then y, then z.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub rotation_deg: [f32; 3],
     /// Its scale.
     #[serde(default = "one")]
     pub scale: f32,
 }
 
-fn one() -> f32 {
+impl MeshSource {
+    /// A file as it stands.
+    pub fn new(file: impl Into<PathBuf>) -> Self {
+        Self { file: file.into(), position_m: [0.0; 3], rotation_deg: [0.0; 3], scale: 1.0 }
+    }
+
+    pub(crate) fn placement(&self) -> Placement {
+        Placement { position_m: self.position_m, rotation_deg: self.rotation_deg, scale: self.scale }
+    }
+}
+
+/// Where something from a file stands in the scene.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Placement {
+    pub(crate) position_m: [f32; 3],
+    pub(crate) rotation_deg: [f32; 3],
+    pub(crate) scale: f32,
+}
+
+impl Placement {
+    /// The turn: about x, then y, then z.
+    pub(crate) fn rotation(&self) -> Quat {
+        turn(self.rotation_deg)
+    }
+}
+
+/// A turn about x, then y, then z.
+pub(crate) fn turn(rotation_deg: [f32; 3]) -> Quat {
+    let [x, y, z] = rotation_deg.map(f32::to_radians);
+    Quat::from_euler(EulerRot::ZYX, z, y, x)
+}
+
+pub(crate) fn one() -> f32 {
     1.0
+}
+
+pub(crate) fn is_zero(vector: &[f32; 3]) -> bool {
+    *vector == [0.0; 3]
 }
 
 /// A scene with its files read: what a world is made from.
@@ -208,7 +221,8 @@ fn one() -> f32 {
 pub struct LoadedScene {
     /// The scene as it stands in the file.
     pub scene: Scene,
-    /// The shape of every wick of every fire, in order (outer: fires, inner: wicks).
+    /// The shapes of every fire, in the order of its wicks (outer: fires, inner: one for each flame): a wick that is
+    /// a ring or has several parts has several.
     pub wicks: Vec<Vec<lucerna_flame::WickShape>>,
     /// The opaque meshes in world space.
     pub meshes: Vec<lucerna_frame::OpaqueMesh>,

@@ -76,7 +76,11 @@ fn a_mesh_is_found_beside_its_scene() {
     std::fs::create_dir(folder.join("things")).unwrap();
     std::fs::write(folder.join("things/one.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
     let mut scene = smallest();
-    let source = lucerna_scene::MeshSource { file: "things/one.obj".into(), position_m: [0.0, 2.0, 0.0], scale: 0.5 };
+    let source = lucerna_scene::MeshSource {
+        position_m: [0.0, 2.0, 0.0],
+        scale: 0.5,
+        ..lucerna_scene::MeshSource::new("things/one.obj")
+    };
     scene.meshes.push(source);
     std::fs::write(folder.join("one.ron"), scene.to_ron().unwrap()).unwrap();
     let loaded = load(&folder.join("one.ron")).unwrap();

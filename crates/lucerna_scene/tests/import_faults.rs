@@ -45,8 +45,7 @@ fn wicks() {
         assert_eq!(message(&folder, with_wick(&folder, name, bytes)), *expected);
     }
     let mut scene = smallest();
-    scene.fires[0].wicks =
-        vec![WickSource::Mesh { file: "gone.obj".into(), group: None, position_m: [0.0; 3], scale: 1.0 }];
+    scene.fires[0].wicks = vec![WickSource::mesh("gone.obj")];
     let result = LoadedScene::from_scene(scene, &folder);
     assert_eq!(message(&folder, result), "gone.obj: No such file or directory (os error 2)");
 }
@@ -56,8 +55,7 @@ fn too_large() {
     let folder = folder("import_faults_too_large");
     std::fs::File::create(folder.join("large.obj")).unwrap().set_len(1 << 40).unwrap();
     let mut scene = smallest();
-    scene.fires[0].wicks =
-        vec![WickSource::Mesh { file: "large.obj".into(), group: None, position_m: [0.0; 3], scale: 1.0 }];
+    scene.fires[0].wicks = vec![WickSource::mesh("large.obj")];
     let result = LoadedScene::from_scene(scene, &folder);
     assert_eq!(message(&folder, result), "large.obj: is 1099511627776 bytes long: must be at most 512 MiB");
     let many = "v 0 0 0\n".repeat(4_000_001);

@@ -111,11 +111,11 @@ fn wicks() {
         "fires[0].wicks[0].radius_m is 0: must be 0.000001 to 10",
     );
     refused(
-        |s| s.fires[0].wicks[0] = WickSource::Mesh { file: "".into(), group: None, position_m: [0.0; 3], scale: 1.0 },
+        |s| s.fires[0].wicks[0] = WickSource::mesh(""),
         "fires[0].wicks[0].file is empty: must be the path of an OBJ, glTF or GLB file",
     );
     refused(
-        |s| s.meshes.push(MeshSource { file: "a.obj".into(), position_m: [0.0; 3], scale: 0.0 }),
+        |s| s.meshes.push(MeshSource { scale: 0.0, ..MeshSource::new("a.obj") }),
         "meshes[0].scale is 0: must be 0.000001 to 1000000",
     );
 }

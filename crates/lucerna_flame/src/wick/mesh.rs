@@ -7,6 +7,8 @@ use glam::{Mat3, Vec3};
 const BINS: usize = 16;
 /// Angles in which a ring is found.
 const SECTORS: usize = 24;
+/// How far inwards from a ring its hole begins, as a share of its radius.
+const HOLE: f32 = 0.6;
 /// Most clusters: the distances between all pairs are looked at.
 const MAX_CLUSTERS: usize = 3000;
 
@@ -71,18 +73,20 @@ fn ring(points: &[Vec3], mean: Vec3) -> Option<Vec<Vec3>> {
     let b = normal.cross(a);
     let count = points.len() as f32;
     let radius = points.iter().map(|p| (*p - mean).reject_from_normalized(normal).length()).sum::<f32>() / count;
-    let mut spread = 0.0;
+    let (mut spread, mut inside) = (0.0, 0.0);
     let mut sectors = [(Vec3::ZERO, 0.0_f32); SECTORS];
     for p in points {
         let d = *p - mean;
         let off = d.reject_from_normalized(normal).length() - radius;
+        inside += f32::from(u8::from(off < -HOLE * radius));
         spread += off * off + d.dot(normal).powi(2);
         let turn = d.dot(b).atan2(d.dot(a)) / std::f32::consts::TAU + 0.5;
         let sector = &mut sectors[((turn * SECTORS as f32) as usize).min(SECTORS - 1)];
         *sector = (sector.0 + *p, sector.1 + 1.0);
     }
     let thin = (spread / count).sqrt() < 0.5 * radius;
-    if !thin || sectors.iter().any(|s| s.1 < 1.0) {
+    // A few stray points of a scan do not fill the hole; a disc does.
+    if !thin || inside > 0.02 * count || sectors.iter().any(|s| s.1 < 1.0) {
         return None;
     }
     Some(sectors.iter().map(|s| s.0 / s.1).collect())

@@ -1,7 +1,7 @@
 //! Meshes and wicks from glTF and GLB files; images are not read.
 
 use super::gltf_data::Buffers;
-use super::{MAX_LIGHT, RawMesh, WickPart, check_size};
+use super::{MAX_LIGHT, RawMesh, WickGroup, check_size};
 use crate::SceneError;
 use glam::{Mat3, Mat4, Vec3};
 use gltf::mesh::Mode;
@@ -22,23 +22,37 @@ pub(super) fn mesh(path: &Path, bytes: &[u8]) -> Result<RawMesh, SceneError> {
     Ok(raw)
 }
 
-/// Reads the vertices of all nodes, one part a node.
-pub(super) fn wicks(path: &Path, bytes: &[u8]) -> Result<Vec<WickPart>, SceneError> {
+/// Reads the vertices of all nodes, one group a node.
+pub(super) fn wicks(path: &Path, bytes: &[u8]) -> Result<Vec<WickGroup>, SceneError> {
     let (document, buffers) = open(path, bytes)?;
-    let mut parts = Vec::new();
+    let mut groups = Vec::new();
     let mut count = 0;
     for (node, world) in placed_nodes(&document, &buffers)? {
         let Some(mesh) = node.mesh() else { continue };
         let name = node.name().or(mesh.name()).unwrap_or_default().to_owned();
-        let mut vertices = Vec::new();
+        let (mut vertices, mut links) = (Vec::new(), Vec::new());
         for primitive in mesh.primitives() {
-            vertices.extend(positions(&primitive, world, &buffers)?);
-            check_size(path, count + vertices.len(), 0)?;
+            let first = vertices.len() as u32;
+            let found = positions(&primitive, world, &buffers)?;
+            let indices = indices(&primitive, found.len(), &buffers)?;
+            links.extend(linked(primitive.mode(), &indices).map(|pair| pair.map(|i| first + i)));
+            vertices.extend(found);
+            check_size(path, count + vertices.len(), links.len() / 3)?;
         }
         count += vertices.len();
-        parts.push(WickPart { name, vertices });
+        groups.push(WickGroup { name, vertices, links });
     }
-    Ok(parts)
+    Ok(groups)
+}
+
+/// Pairs of vertices that belong together.
+fn linked(mode: Mode, indices: &[u32]) -> Box<dyn Iterator<Item = [u32; 2]> + '_> {
+    match mode {
+        Mode::Points => Box::new(std::iter::empty()),
+        Mode::Lines => Box::new(indices.as_chunks::<2>().0.iter().copied()),
+        Mode::LineStrip | Mode::LineLoop => Box::new(indices.windows(2).map(|pair| [pair[0], pair[1]])),
+        _ => Box::new(triangles(mode, indices).flat_map(|[a, b, c]| [[a, b], [b, c]])),
+    }
 }
 
 fn open<'a>(path: &'a Path, bytes: &[u8]) -> Result<(Document, Buffers<'a>), SceneError> {
@@ -97,16 +111,22 @@ fn positions(primitive: &Primitive<'_>, world: Mat4, buffers: &Buffers<'_>) -> R
     Ok(positions)
 }
 
-fn append(raw: &mut RawMesh, primitive: &Primitive<'_>, world: Mat4, buffers: &Buffers<'_>) -> Result<(), SceneError> {
-    let positions = positions(primitive, world, buffers)?;
-    let count = positions.len();
+/// The indices of a primitive of `count` vertices.
+fn indices(primitive: &Primitive<'_>, count: usize, buffers: &Buffers<'_>) -> Result<Vec<u32>, SceneError> {
     let indices = match primitive.indices() {
         Some(accessor) => buffers.indices(&accessor)?,
         None => (0..count as u32).collect(),
     };
-    if let Some(index) = indices.iter().find(|&&index| index as usize >= count) {
-        return Err(buffers.fault(format!("has index {index} where there are {count} vertices")));
+    match indices.iter().find(|&&index| index as usize >= count) {
+        Some(index) => Err(buffers.fault(format!("has index {index} where there are {count} vertices"))),
+        None => Ok(indices),
     }
+}
+
+fn append(raw: &mut RawMesh, primitive: &Primitive<'_>, world: Mat4, buffers: &Buffers<'_>) -> Result<(), SceneError> {
+    let positions = positions(primitive, world, buffers)?;
+    let count = positions.len();
+    let indices = indices(primitive, count, buffers)?;
     let normals = match primitive.get(&Semantic::Normals) {
         Some(accessor) => buffers.vectors(&accessor)?,
         None => Vec::new(),

@@ -6,9 +6,12 @@ mod mtl;
 mod normals;
 mod obj;
 mod obj_text;
+mod parts;
 
 use crate::SceneError;
 use crate::assets::{self, MAX_MESH_BYTES};
+use crate::model::Placement;
+use glam::{Quat, Vec3};
 use lucerna_frame::{MeshVertex, OpaqueMesh};
 use std::borrow::Cow;
 use std::path::Path;
@@ -36,9 +39,11 @@ struct RawMesh {
 
 /// The vertices of one group of a file.
 #[derive(Debug)]
-struct WickPart {
+struct WickGroup {
     name: String,
     vertices: Vec<[f32; 3]>,
+    /// Pairs of vertices that a face or line connects.
+    links: Vec<[u32; 2]>,
 }
 
 enum Format {
@@ -47,7 +52,7 @@ enum Format {
 }
 
 /// Reads an opaque mesh; missing normals are made.
-pub(crate) fn opaque_mesh(path: &Path, position_m: [f32; 3], scale: f32) -> Result<OpaqueMesh, SceneError> {
+pub(crate) fn opaque_mesh(path: &Path, placement: &Placement) -> Result<OpaqueMesh, SceneError> {
     let (format, bytes) = read(path)?;
     let mut raw = match format {
         Format::Obj => obj::mesh(path, &bytes)?,
@@ -57,40 +62,43 @@ pub(crate) fn opaque_mesh(path: &Path, position_m: [f32; 3], scale: f32) -> Resu
     if raw.triangles.is_empty() {
         return Err(SceneError::mesh(path, None, "has no faces"));
     }
+    let rotation = placement.rotation();
     for vertex in &mut raw.vertices {
-        vertex.position = placed(path, vertex.position, position_m, scale)?;
+        vertex.position = placed(path, vertex.position, placement, rotation)?;
+        vertex.normal = (rotation * Vec3::from(vertex.normal)).into();
     }
     Ok(normals::complete(raw))
 }
 
-/// Reads the vertices of a wick: those of the group of this name, or of the one whose name starts with `wick`, or
-/// all where there is no such group.
-pub(crate) fn wick_vertices(
+/// Reads the vertices of a wick, those of the group of this name, or of the one whose name starts with `wick`, or
+/// all where there is no such group: as one list, or one for each part that faces connect.
+pub(crate) fn wick_parts(
     path: &Path,
     group: Option<&str>,
-    position_m: [f32; 3],
-    scale: f32,
-) -> Result<Vec<[f32; 3]>, SceneError> {
+    placement: &Placement,
+    apart: bool,
+) -> Result<Vec<Vec<[f32; 3]>>, SceneError> {
     let (format, bytes) = read(path)?;
-    let parts = match format {
+    let groups = match format {
         Format::Obj => obj_text::wicks(path, &bytes, group)?,
         Format::Gltf => gltf::wicks(path, &bytes)?,
     };
-    let mut vertices = choose(path, parts, group)?;
-    if vertices.is_empty() {
+    let mut chosen = choose(path, groups, group)?;
+    if chosen.vertices.is_empty() {
         return Err(SceneError::mesh(path, None, "has no vertices"));
     }
-    if vertices.len() > MAX_WICK_VERTICES {
+    if chosen.vertices.len() > MAX_WICK_VERTICES {
         return Err(SceneError::mesh(path, None, format!("has more than {MAX_WICK_VERTICES} vertices for a wick")));
     }
-    for vertex in &mut vertices {
-        *vertex = placed(path, *vertex, position_m, scale)?;
+    let rotation = placement.rotation();
+    for vertex in &mut chosen.vertices {
+        *vertex = placed(path, *vertex, placement, rotation)?;
     }
-    Ok(vertices)
+    Ok(if apart { parts::connected(chosen) } else { vec![chosen.vertices] })
 }
 
-fn choose(path: &Path, parts: Vec<WickPart>, group: Option<&str>) -> Result<Vec<[f32; 3]>, SceneError> {
-    let mut names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).filter(|name| is_wick(name)).collect();
+fn choose(path: &Path, groups: Vec<WickGroup>, group: Option<&str>) -> Result<WickGroup, SceneError> {
+    let mut names: Vec<&str> = groups.iter().map(|one| one.name.as_str()).filter(|name| is_wick(name)).collect();
     names.sort_unstable();
     names.dedup();
     let wanted = match (group, names.as_slice()) {
@@ -103,22 +111,33 @@ fn choose(path: &Path, parts: Vec<WickPart>, group: Option<&str>) -> Result<Vec<
         }
     };
     let Some(wanted) = wanted else {
-        return Ok(parts.into_iter().flat_map(|part| part.vertices).collect());
+        return Ok(joined(groups.into_iter()));
     };
-    if parts.iter().all(|part| part.name != wanted) {
+    if groups.iter().all(|one| one.name != wanted) {
         return Err(SceneError::mesh(path, None, format!("has no group named `{wanted}`")));
     }
-    Ok(parts.into_iter().filter(|part| part.name == wanted).flat_map(|part| part.vertices).collect())
+    Ok(joined(groups.into_iter().filter(|one| one.name == wanted)))
+}
+
+fn joined(groups: impl Iterator<Item = WickGroup>) -> WickGroup {
+    let mut all = WickGroup { name: String::new(), vertices: Vec::new(), links: Vec::new() };
+    for group in groups {
+        let first = all.vertices.len() as u32;
+        all.vertices.extend(group.vertices);
+        all.links.extend(group.links.into_iter().map(|pair| pair.map(|i| first + i)));
+    }
+    all
 }
 
 fn is_wick(name: &str) -> bool {
     name.as_bytes().get(..4).is_some_and(|start| start.eq_ignore_ascii_case(b"wick"))
 }
 
-fn placed(path: &Path, point: [f32; 3], position_m: [f32; 3], scale: f32) -> Result<[f32; 3], SceneError> {
-    let placed: [f32; 3] = std::array::from_fn(|axis| position_m[axis] + scale * point[axis]);
-    if placed.iter().all(|x| x.is_finite()) {
-        return Ok(placed);
+fn placed(path: &Path, point: [f32; 3], placement: &Placement, rotation: Quat) -> Result<[f32; 3], SceneError> {
+    let turned = rotation * (Vec3::from(point) * placement.scale);
+    let placed = turned + Vec3::from(placement.position_m);
+    if placed.is_finite() {
+        return Ok(placed.into());
     }
     Err(SceneError::mesh(path, None, "has a vertex too far away to be placed"))
 }

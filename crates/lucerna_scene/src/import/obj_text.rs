@@ -3,7 +3,7 @@
 //! Files from the wild have CRLF, continued lines, tabs, Latin-1 bytes, names with spaces, indices beyond the
 //! end, numbers that are not; every fault is named with its line here.
 
-use super::{MAX_TRIANGLES, MAX_VERTICES, WickPart, check_size};
+use super::{MAX_TRIANGLES, MAX_VERTICES, WickGroup, check_size};
 use crate::SceneError;
 use std::borrow::Cow;
 use std::path::Path;
@@ -18,23 +18,38 @@ pub(super) struct ObjText {
     coloured: usize,
     normals: usize,
     triangles: usize,
-    /// Groups with the vertices that their elements use, repeated as they are used; only where asked for.
-    groups: Option<Vec<(String, Vec<u32>)>>,
+    /// Groups with their elements; only where asked for.
+    groups: Option<Vec<Group>>,
+    /// Vertices that an element of any group connects, where groups are asked for.
+    links: Vec<[u32; 2]>,
 }
 
-/// The vertices of an OBJ file: those of groups that are wanted or named for wicks, or else all as one part.
-pub(super) fn wicks(path: &Path, bytes: &[u8], group: Option<&str>) -> Result<Vec<WickPart>, SceneError> {
+/// The elements of one group.
+#[derive(Debug, Default)]
+struct Group {
+    name: String,
+    /// The vertices that its elements use, repeated as they are used.
+    vertices: Vec<u32>,
+    /// Pairs that one of them connects.
+    links: Vec<[u32; 2]>,
+}
+
+/// The vertices of an OBJ file: those of groups that are wanted or named for wicks, or else all as one group.
+pub(super) fn wicks(path: &Path, bytes: &[u8], group: Option<&str>) -> Result<Vec<WickGroup>, SceneError> {
     let mut obj = scan(path, bytes, Some(group))?;
-    let mut parts = Vec::new();
-    for (name, mut indices) in obj.groups.take().unwrap_or_default() {
+    let mut groups = Vec::new();
+    for Group { name, vertices: mut indices, mut links } in obj.groups.take().unwrap_or_default() {
         indices.sort_unstable();
         indices.dedup();
-        parts.push(WickPart { name, vertices: indices.iter().map(|&index| obj.positions[index as usize]).collect() });
+        let place = |vertex: u32| indices.partition_point(|&other| other < vertex) as u32;
+        links.iter_mut().for_each(|pair| *pair = pair.map(place));
+        let vertices = indices.iter().map(|&index| obj.positions[index as usize]).collect();
+        groups.push(WickGroup { name, vertices, links });
     }
-    if parts.is_empty() {
-        parts.push(WickPart { name: String::new(), vertices: obj.positions });
+    if groups.is_empty() {
+        groups.push(WickGroup { name: String::new(), vertices: obj.positions, links: obj.links });
     }
-    Ok(parts)
+    Ok(groups)
 }
 
 /// Checks every line; for wicks it gathers groups, the wanted one and those named for wicks, instead of text.
@@ -121,6 +136,7 @@ impl ObjText {
 
     fn element(&mut self, keyword: &str, rest: &str, group: Option<&String>) -> Result<(), String> {
         let mut corners = 0_usize;
+        let mut before = None;
         for corner in rest.split_whitespace() {
             let mut parts = corner.split('/');
             let vertex = index(parts.next().unwrap_or_default(), self.positions.len(), "vertices")?;
@@ -134,13 +150,18 @@ impl ObjText {
                 return Err(format!("`{corner}` is not a corner of a face"));
             }
             corners += 1;
-            if let (Some(groups), Some(group)) = (&mut self.groups, group) {
-                if groups.last().is_none_or(|(name, _)| name != group) {
-                    groups.push((group.clone(), Vec::new()));
+            let link = before.replace(vertex).filter(|_| keyword != "p").map(|other| [other, vertex]);
+            if let Some(groups) = &mut self.groups {
+                if let Some(name) = group {
+                    if groups.last().is_none_or(|last| last.name != *name) {
+                        groups.push(Group { name: name.clone(), ..Group::default() });
+                    }
+                    if let Some(last) = groups.last_mut() {
+                        last.vertices.push(vertex);
+                        last.links.extend(link);
+                    }
                 }
-                if let Some((_, vertices)) = groups.last_mut() {
-                    vertices.push(vertex);
-                }
+                self.links.extend(link);
             }
         }
         if keyword == "f" && corners >= 3 {

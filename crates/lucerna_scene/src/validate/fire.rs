@@ -1,6 +1,7 @@
 //! Whether a fire is allowed: its wicks, fuel, particle chains, surface and shading.
 
 use super::{Check, placed};
+use crate::model::Placement;
 use crate::{Air, Fire, SceneError, WickSource};
 use lucerna_flame::{Fuel, FuelDistribution, Skeletons, SurfaceGrid, Swing};
 use lucerna_frame::FlameShade;
@@ -29,22 +30,47 @@ pub(super) fn fire(check: &Check<'_>, air: &Air, field: &str, fire: &Fire) -> Re
 }
 
 fn wick(check: &Check<'_>, air: &Air, field: &str, wick: &WickSource) -> Result<(), SceneError> {
+    let radius = |radius_m: f32| check.within(&format!("{field}.radius_m"), radius_m, 1.0e-6..=10.0);
     match wick {
-        WickSource::Polyline { points, radius_m } => {
-            if !(1..=MAX_POINTS).contains(&points.len()) {
-                let counted = format!("the number of {field}.points");
-                return Err(check.fail(counted, points.len(), format!("1 to {MAX_POINTS}")));
-            }
-            for (index, point) in points.iter().enumerate() {
-                super::inside_air(check, air, &format!("{field}.points[{index}]"), *point)?;
-            }
+        WickSource::Polyline { points, radius_m } | WickSource::Curve { points, radius_m, .. } => {
+            wick_points(check, air, field, points)?;
             if points.len() > 1 && points.iter().all(|point| *point == points[0]) {
                 return Err(check.fail(format!("{field}.points"), "of no length", "one point, or points that differ"));
             }
-            check.within(&format!("{field}.radius_m"), *radius_m, 1.0e-6..=10.0)
+            radius(*radius_m)
         }
-        WickSource::Mesh { file, position_m, scale, .. } => placed(check, field, file, *position_m, *scale),
+        WickSource::Points { points, radius_m } => {
+            wick_points(check, air, field, points)?;
+            radius(*radius_m)
+        }
+        WickSource::Ring { center_m, ring_m, normal, radius_m } => {
+            super::inside_air(check, air, &format!("{field}.center_m"), *center_m)?;
+            check.within(&format!("{field}.ring_m"), *ring_m, 1.0e-5..=100.0)?;
+            check.each(&format!("{field}.normal"), normal, &(-1.0e3..=1.0e3))?;
+            if normal.iter().all(|x| x.abs() < 1.0e-6) {
+                return Err(check.fail(format!("{field}.normal"), "of no length", "a direction"));
+            }
+            radius(*radius_m)
+        }
+        WickSource::Mesh { file, position_m, rotation_deg, scale, gap_m, .. } => {
+            if let Some(gap_m) = gap_m {
+                check.within(&format!("{field}.gap_m"), *gap_m, 1.0e-6..=1.0e3)?;
+            }
+            let placement = Placement { position_m: *position_m, rotation_deg: *rotation_deg, scale: *scale };
+            placed(check, field, file, &placement)
+        }
     }
+}
+
+fn wick_points(check: &Check<'_>, air: &Air, field: &str, points: &[[f32; 3]]) -> Result<(), SceneError> {
+    if !(1..=MAX_POINTS).contains(&points.len()) {
+        let counted = format!("the number of {field}.points");
+        return Err(check.fail(counted, points.len(), format!("1 to {MAX_POINTS}")));
+    }
+    for (index, point) in points.iter().enumerate() {
+        super::inside_air(check, air, &format!("{field}.points[{index}]"), *point)?;
+    }
+    Ok(())
 }
 
 fn fuel(check: &Check<'_>, field: &str, fuel: &Fuel) -> Result<(), SceneError> {

@@ -8,7 +8,9 @@ mod look;
 pub(crate) use air::inside as inside_air;
 pub(crate) use check::Check;
 
+use crate::model::Placement;
 use crate::{Scene, SceneError};
+use std::path::Path;
 
 /// Positions lie within this distance of the origin along each axis, m.
 const FAR_M: f32 = 1.0e5;
@@ -48,22 +50,17 @@ pub(crate) fn scene(check: &Check<'_>, scene: &Scene) -> Result<(), SceneError> 
     }
     for (index, mesh) in scene.meshes.iter().enumerate() {
         let field = format!("meshes[{index}]");
-        placed(check, &field, &mesh.file, mesh.position_m, mesh.scale)?;
+        placed(check, &field, &mesh.file, &mesh.placement())?;
     }
     Ok(())
 }
 
-/// A file with a position and a scale.
-fn placed(
-    check: &Check<'_>,
-    field: &str,
-    file: &std::path::Path,
-    position_m: [f32; 3],
-    scale: f32,
-) -> Result<(), SceneError> {
+/// A file and where it stands.
+fn placed(check: &Check<'_>, field: &str, file: &Path, placement: &Placement) -> Result<(), SceneError> {
     if file.as_os_str().is_empty() {
         return Err(check.fail(format!("{field}.file"), "empty", "the path of an OBJ, glTF or GLB file"));
     }
-    check.each(&format!("{field}.position_m"), &position_m, &(-FAR_M..=FAR_M))?;
-    check.within(&format!("{field}.scale"), scale, 1.0e-6..=1.0e6)
+    check.each(&format!("{field}.position_m"), &placement.position_m, &(-FAR_M..=FAR_M))?;
+    check.each(&format!("{field}.rotation_deg"), &placement.rotation_deg, &(-360.0..=360.0))?;
+    check.within(&format!("{field}.scale"), placement.scale, 1.0e-6..=1.0e6)
 }

@@ -27,7 +27,7 @@ pub(crate) fn smallest() -> Scene {
 pub(crate) fn with_wick(folder: &Path, name: &str, bytes: &[u8]) -> Result<LoadedScene, SceneError> {
     std::fs::write(folder.join(name), bytes).unwrap();
     let mut scene = smallest();
-    scene.fires[0].wicks = vec![WickSource::Mesh { file: name.into(), group: None, position_m: [0.0; 3], scale: 1.0 }];
+    scene.fires[0].wicks = vec![WickSource::mesh(name)];
     LoadedScene::from_scene(scene, folder)
 }
 
@@ -35,7 +35,7 @@ pub(crate) fn with_wick(folder: &Path, name: &str, bytes: &[u8]) -> Result<Loade
 pub(crate) fn with_mesh(folder: &Path, name: &str, bytes: &[u8]) -> Result<LoadedScene, SceneError> {
     std::fs::write(folder.join(name), bytes).unwrap();
     let mut scene = smallest();
-    scene.meshes = vec![MeshSource { file: name.into(), position_m: [0.0; 3], scale: 1.0 }];
+    scene.meshes = vec![MeshSource::new(name)];
     LoadedScene::from_scene(scene, folder)
 }
 

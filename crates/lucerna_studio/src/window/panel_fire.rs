@@ -18,7 +18,9 @@ fn wicks(ui: &mut Ui, wicks: &mut [WickSource]) {
     for (index, wick) in wicks.iter_mut().enumerate() {
         let name = |what: &str| format!("Wick {} {what}", index + 1);
         match wick {
-            WickSource::Polyline { points, radius_m } => {
+            WickSource::Polyline { points, radius_m }
+            | WickSource::Curve { points, radius_m, .. }
+            | WickSource::Points { points, radius_m } => {
                 let tooltip = "Radius of the wick; the fire starts anew.";
                 log_slider(ui, radius_m, 0.0005..=0.2, &name("radius"), "m", tooltip);
                 for point in points {
@@ -26,9 +28,16 @@ fn wicks(ui: &mut Ui, wicks: &mut [WickSource]) {
                     vector(ui, point, -10.0..=10.0, (&name("point"), "m", 0.001), tooltip);
                 }
             }
-            WickSource::Mesh { position_m, scale, .. } => {
+            WickSource::Ring { center_m, ring_m, .. } => {
+                let tooltip = "Middle of the ring; the fire starts anew.";
+                vector(ui, center_m, -10.0..=10.0, (&name("middle"), "m", 0.001), tooltip);
+                log_slider(ui, ring_m, 0.001..=10.0, &name("ring"), "m", "Radius of the ring; the fire starts anew.");
+            }
+            WickSource::Mesh { position_m, rotation_deg, scale, .. } => {
                 let tooltip = "Where the origin of the wick's file goes; the fire starts anew.";
                 vector(ui, position_m, -10.0..=10.0, (&name("position"), "m", 0.001), tooltip);
+                let tooltip = "How the wick's file is turned, about x, then y, then z; the fire starts anew.";
+                vector(ui, rotation_deg, -360.0..=360.0, (&name("turn"), "°", 1.0), tooltip);
                 log_slider(
                     ui,
                     scale,
