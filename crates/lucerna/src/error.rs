@@ -23,6 +23,20 @@ pub enum WorldError {
         /// What it may be.
         allowed: &'static str,
     },
+    /// There is no fire of this number.
+    #[error("there is no fire {fire}: the scene has {count}, counted from 0")]
+    NoFire {
+        /// The number asked for.
+        fire: usize,
+        /// Fires in the scene.
+        count: usize,
+    },
+    /// A fire cannot be placed so.
+    #[error("the pose of fire {fire} is not allowed: a unit quaternion, and at most 1e6 m along each axis")]
+    Pose {
+        /// Which fire.
+        fire: usize,
+    },
     /// The scene's wicks are not those that were read from its files.
     #[error("the scene has {fires} fires with {wicks} wicks, but {shapes} wick shapes were loaded in {groups} groups")]
     Wicks {

@@ -22,6 +22,7 @@ mod air;
 mod error;
 #[cfg(feature = "export")]
 pub mod export;
+mod movers;
 mod report;
 mod world;
 

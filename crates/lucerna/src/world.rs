@@ -2,8 +2,9 @@
 
 use crate::air;
 use crate::error::WorldError;
+use crate::movers::Movers;
 use crate::report::{DebugLines, StepSummary};
-use lucerna_flame::{FlameSettings, Flames, Surfaces};
+use lucerna_flame::{FlameSettings, Flames, Pose, Surfaces};
 use lucerna_fluid::Fluid;
 use lucerna_frame::{Frame, LineVertex};
 use lucerna_scene::LoadedScene;
@@ -24,6 +25,7 @@ pub struct World {
     scene: LoadedScene,
     fluid: Fluid,
     flames: Flames,
+    movers: Movers,
     /// Time that was asked for but not yet stepped, s.
     owed_s: f64,
     surfaces: Surfaces,
@@ -48,11 +50,14 @@ impl World {
     /// When the scene says something that is not possible; the error names the field.
     pub fn new(scene: LoadedScene) -> Result<Self, WorldError> {
         let fluid = air::build(&scene.scene.air)?;
-        let flames = Flames::new(settings(&scene)?, scene.scene.seed)?;
+        let mut flames = Flames::new(settings(&scene)?, scene.scene.seed)?;
+        let movers = Movers::new(&scene);
+        movers.start(&mut flames)?;
         let mut world = Self {
             scene,
             fluid,
             flames,
+            movers,
             owed_s: 0.0,
             surfaces: Surfaces::default(),
             debug: DebugLines::default(),
@@ -85,6 +90,12 @@ impl World {
         let mut summary = StepSummary { steps, dropped, ..StepSummary::default() };
         for done in 1..=steps {
             let start = Instant::now();
+            let time_s = self.flames.time_s() + f64::from(step_s);
+            self.movers.advance(&mut self.flames, time_s, steps + 1 - done, step_s)?;
+            let rest = (air.origin_m, air.size_m);
+            if let Some(velocity) = self.movers.air_velocity(self.fluid.origin(), rest, step_s) {
+                self.fluid.set_frame_velocity(velocity)?;
+            }
             self.flames.drive(&mut self.fluid)?;
             air::add_row_buoyancy(&mut self.fluid, air)?;
             let report = self.fluid.step(step_s)?;
@@ -109,6 +120,9 @@ impl World {
         let surfaces = if self.debug.wireframe { Surfaces::Vertices } else { self.surfaces };
         self.flames.set_surfaces(surfaces);
         self.flames.build();
+        if self.movers.draw(&self.scene.meshes) {
+            self.mesh_revision = new_mesh_revision();
+        }
         self.draw_lines();
     }
 
@@ -145,13 +159,17 @@ impl World {
             air::adjust(&mut self.fluid, &new.air)?;
         } else {
             let fluid = air::build(&new.air)?;
-            self.flames = Flames::new(settings, new.seed)?;
+            let mut flames = Flames::new(settings, new.seed)?;
+            Movers::new(&scene).start(&mut flames)?;
+            self.flames = flames;
             self.fluid = fluid;
             self.owed_s = 0.0;
+            self.movers = Movers::default();
         }
-        if self.scene.meshes != scene.meshes {
+        if self.scene.meshes != scene.meshes || old.motions != new.motions {
             self.mesh_revision = new_mesh_revision();
         }
+        self.movers = self.movers.renewed(&scene);
         self.scene = scene;
         self.build();
         Ok(())
@@ -169,7 +187,15 @@ impl World {
         if let Ok(Ok(flames)) = settings(&self.scene).map(|s| Flames::new(s, self.scene.scene.seed)) {
             self.flames = flames;
         }
+        self.movers = Movers::new(&self.scene);
+        let started = self.movers.start(&mut self.flames);
+        debug_assert!(started.is_ok(), "{started:?}");
         self.fluid.reset();
+        if self.movers.carries_air()
+            && let Ok(fluid) = air::build(&self.scene.scene.air)
+        {
+            self.fluid = fluid;
+        }
         self.owed_s = 0.0;
         self.build();
     }
@@ -214,11 +240,43 @@ impl World {
         self.flames.time_s()
     }
 
+    /// Puts a fire, by its number in the scene, to a pose from now on, seen from where the scene places it: its wicks,
+    /// and the meshes and fires that share its motion, are there after the next [`step`](Self::step). They move evenly
+    /// during its fixed steps, so that the flame leans and trails and the air is stirred; a way that would need more
+    /// than 30 m/s is jumped. Replays must place at the same times.
+    ///
+    /// ```
+    /// # use lucerna::{World, flame::Pose};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let mut world = World::new(lucerna::scene::open("torch")?)?;
+    /// for frame in 1..=30 {
+    ///     // Carried along at 0.3 m/s.
+    ///     let translation = [0.3 * frame as f32 / 60.0, 0.0, 0.0].into();
+    ///     world.place(0, Pose { translation, ..Pose::REST })?;
+    ///     world.step(1.0 / 60.0)?;
+    /// }
+    /// assert_eq!(world.pose(0).map(|pose| pose.translation.x), Some(0.15));
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// When there is no such fire, or the pose is not allowed ([`Pose::is_allowed`]).
+    pub fn place(&mut self, fire: usize, pose: Pose) -> Result<(), WorldError> {
+        self.movers.ask(fire, pose)
+    }
+
+    /// Where a fire is, seen from where the scene places it; nothing where there is no such fire.
+    #[must_use]
+    pub fn pose(&self, fire: usize) -> Option<Pose> {
+        self.movers.pose(fire)
+    }
+
     /// A hash of all state that the next step depends on.
     #[must_use]
     pub fn state_hash(&self) -> u64 {
         let parts = [self.fluid.state_hash(), self.flames.state_hash(), self.owed_s.to_bits()];
-        parts.into_iter().fold(0xcbf2_9ce4_8422_2325, |hash, part| {
+        parts.into_iter().chain(self.movers.asked()).fold(0xcbf2_9ce4_8422_2325, |hash, part| {
             part.to_le_bytes()
                 .into_iter()
                 .fold(hash, |hash: u64, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
@@ -236,7 +294,7 @@ impl World {
             flame_nets: self.flames.nets(),
             flame_shades: self.flames.shades(),
             lights: self.flames.lights(),
-            meshes: &self.scene.meshes,
+            meshes: self.movers.meshes(&self.scene.meshes),
             mesh_revision: self.mesh_revision,
             lines: &self.lines,
         }

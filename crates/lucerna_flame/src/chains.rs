@@ -18,6 +18,8 @@ pub(crate) struct Chains {
     life_s: f32,
     /// Current roots: the particles of age zero.
     roots: Vec<Vec3>,
+    /// How far the roots have come in this step: particles are emitted where it began. None while they stand still.
+    ways: Vec<Vec3>,
     /// Ring of emissions; `head` is the newest.
     ages_s: Vec<f32>,
     points: Vec<Vec3>,
@@ -37,6 +39,7 @@ impl Chains {
             ages_s: vec![0.0; slots],
             points: vec![Vec3::ZERO; slots * skeletons],
             roots,
+            ways: Vec::new(),
             head: slots - 1,
             len: 0,
             since_s: 0.0,
@@ -59,6 +62,17 @@ impl Chains {
         self.life_s = life_s;
     }
 
+    /// Says how far each root comes in the coming step.
+    pub(crate) fn set_ways(&mut self, ways: impl Iterator<Item = Vec3>) {
+        self.ways.clear();
+        self.ways.extend(ways);
+    }
+
+    /// Moves all particles, as when their wick jumps.
+    pub(crate) fn carry_along(&mut self, way: Vec3) {
+        self.points.iter_mut().for_each(|point| *point += way);
+    }
+
     fn slot(&self, i: usize) -> usize {
         (self.head + i) % self.ages_s.len()
     }
@@ -68,8 +82,9 @@ impl Chains {
         self.len = (self.len + 1).min(self.ages_s.len());
         self.ages_s[self.head] = age_s;
         let row = &mut self.points[self.head * self.skeletons..][..self.skeletons];
-        for (point, root) in row.iter_mut().zip(&self.roots) {
-            *point = *root + offset;
+        let ways = self.ways.iter().copied().chain(std::iter::repeat(Vec3::ZERO));
+        for ((point, root), way) in row.iter_mut().zip(&self.roots).zip(ways) {
+            *point = *root - way + offset;
         }
     }
 

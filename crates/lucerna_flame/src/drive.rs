@@ -50,6 +50,7 @@ impl Flames {
     /// When a number is outside what the air accepts.
     pub fn drive(&mut self, fluid: &mut Fluid) -> Result<(), FluidError> {
         self.sources(fluid);
-        self.current_sources().iter().try_for_each(|source| source.add_to(fluid))
+        self.current_sources().iter().try_for_each(|source| source.add_to(fluid))?;
+        self.stir(fluid)
     }
 }

@@ -19,6 +19,7 @@ embedded!(
     "torch.mtl",
     "torch.obj",
     "torch_wall.obj",
+    "torch_swung.ron",
     "campfire.ron",
     "campfire.mtl",
     "campfire_logs.obj",
@@ -27,7 +28,7 @@ embedded!(
     "campfire_ground.obj",
 );
 
-const NAMES: &[&str] = &["candle", "torch", "campfire"];
+const NAMES: &[&str] = &["candle", "torch", "torch_swung", "campfire"];
 
 /// The names of the built-in scenes.
 #[must_use]

@@ -1,6 +1,6 @@
 //! The scene as it stands in a file.
 
-use crate::WickSource;
+use crate::{Motion, WickSource};
 use glam::{EulerRot, Quat};
 use lucerna_flame::{Fuel, Skeletons, SurfaceGrid};
 use lucerna_frame::{Camera, FlameShade, Look};
@@ -29,6 +29,9 @@ pub struct Scene {
     /// Opaque things.
     #[serde(default)]
     pub meshes: Vec<MeshSource>,
+    /// What moves.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub motions: Vec<Motion>,
 }
 
 /// Which sides of the air's box are closed.
@@ -128,6 +131,9 @@ pub struct Air {
     /// Wind through the open sides, m/s.
     #[serde(default)]
     pub wind_m_s: [f32; 3],
+    /// The motion that the box goes along with; it does not turn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub follows: Option<String>,
 }
 
 impl Air {
@@ -157,6 +163,9 @@ pub struct Fire {
     /// How it glows.
     #[serde(default)]
     pub shade: FlameShade,
+    /// The motion that carries it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub motion: Option<String>,
 }
 
 /// An opaque thing from a file.
@@ -174,12 +183,15 @@ pub struct MeshSource {
     /// Its scale.
     #[serde(default = "one")]
     pub scale: f32,
+    /// The motion that carries it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub motion: Option<String>,
 }
 
 impl MeshSource {
     /// A file as it stands.
     pub fn new(file: impl Into<PathBuf>) -> Self {
-        Self { file: file.into(), position_m: [0.0; 3], rotation_deg: [0.0; 3], scale: 1.0 }
+        Self { file: file.into(), position_m: [0.0; 3], rotation_deg: [0.0; 3], scale: 1.0, motion: None }
     }
 
     pub(crate) fn placement(&self) -> Placement {

@@ -13,6 +13,8 @@ use std::path::PathBuf;
 
 /// Samples between two points of a curve.
 const SAMPLES: usize = 8;
+/// Moments in which a moving wick is looked for in the air.
+const MOMENTS: u32 = 65;
 /// Corners of a ring.
 const CORNERS: usize = 48;
 /// Points of a closed curve that are repeated at either end, so that it closes smoothly.
@@ -125,11 +127,41 @@ pub(crate) fn shapes(check: &Check<'_>, scene: &Scene, assets: Assets<'_>) -> Re
                 let counted = format!("the number of parts and arcs of all wicks up to {field}");
                 return Err(check.fail(counted, count, format!("at most {}", crate::load::MAX_FLAMES)));
             }
+            stays_inside(check, scene, f, &field, &linear)?;
             shapes.extend(linear);
         }
         fires.push(shapes);
     }
     Ok(fires)
+}
+
+/// Whether wicks that move stay in the air, looked at in so many moments.
+fn stays_inside(
+    check: &Check<'_>,
+    scene: &Scene,
+    fire: usize,
+    field: &str,
+    wicks: &[WickShape],
+) -> Result<(), SceneError> {
+    let Some(name) = &scene.fires[fire].motion else { return Ok(()) };
+    let Some(motion) = scene.motions.iter().find(|motion| motion.name == *name) else { return Ok(()) };
+    if scene.air.follows.as_ref() == Some(name) {
+        return Ok(());
+    }
+    let (from_s, to_s) = motion.path.times_s();
+    for moment in 0..MOMENTS {
+        let time_s = from_s + (to_s - from_s) * f64::from(moment) / f64::from(MOMENTS - 1);
+        let pose = motion.path.pose(time_s);
+        for shape in wicks {
+            let (WickShape::Polyline { points, .. } | WickShape::Vertices(points)) = shape;
+            for point in points.iter().step_by(points.len().div_ceil(64)) {
+                let moved = pose.point((*point).into()).to_array();
+                let field = format!("{field} at {time_s:.2} s of its motion");
+                crate::validate::inside_air(check, &scene.air, &field, moved)?;
+            }
+        }
+    }
+    Ok(())
 }
 
 fn linear_wicks(

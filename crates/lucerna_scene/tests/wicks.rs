@@ -180,3 +180,49 @@ fn impossible_wicks_are_refused_by_field() {
     assert!(error.contains("256") && error.contains("fires[0].wicks[0]"), "{error}");
     assert_eq!(smallest().fires.len(), 1);
 }
+
+#[test]
+fn impossible_motions_are_refused_by_field() {
+    let with = |motion: &str, path: &str| {
+        let mut scene = smallest();
+        let text = format!("(name: \"a\", path: {path})");
+        scene.motions.push(ron(&text));
+        scene.fires[0].motion = Some(motion.into());
+        LoadedScene::from_scene(scene, Path::new("")).expect_err(path).to_string()
+    };
+    let swing = "swing(pivot_m: (0.0, 0.0, 0.0), axis: (0.0, 0.0, 1.0), angle_deg: 30.0, period_s: 1.0)";
+    for (motion, path, expected) in [
+        ("b", "still", "fires[0].motion is `b`: must be a"),
+        (
+            "a",
+            &swing.replace("period_s: 1.0", "period_s: 0.0"),
+            "motions[0].path.period_s is 0: must be 0.01 to 1000000",
+        ),
+        (
+            "a",
+            &swing.replace("1.0), angle", "0.0), angle"),
+            "motions[0].path.axis is of no length: must be a direction",
+        ),
+        ("a", "keys(keys: [])", "the number of motions[0].path.keys is 0: must be 1 to 4096"),
+        (
+            "a",
+            "keys(keys: [(time_s: 1.0), (time_s: 1.0)])",
+            "motions[0].path.keys[1].time_s is 1: must be after that of the key before, 1",
+        ),
+        (
+            "a",
+            "keys(keys: [(time_s: 0.0), (time_s: 1.0, position_m: (0.0, 2.0, 0.0))])",
+            "fires[0].wicks[0] at 0.52 s of its motion is at (0, 1.0",
+        ),
+    ] {
+        let error = with(motion, path);
+        assert!(error.starts_with(expected), "{error}");
+    }
+}
+
+fn ron(text: &str) -> lucerna_scene::Motion {
+    let whole = format!(
+        "(name: \"m\", air: (origin_m: (0.0, 0.0, 0.0), size_m: (1.0, 1.0, 1.0), cells: (2, 2, 2)), fires: [], motions: [{text}])"
+    );
+    lucerna_scene::parse(&whole, Path::new("m.ron")).expect(text).motions.remove(0)
+}

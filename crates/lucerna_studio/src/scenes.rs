@@ -53,5 +53,5 @@ pub fn with_parameters(loaded: &LoadedScene, scene: Scene, base_dir: &Path) -> R
 /// Whether two scenes differ in what burns, rather than only in how it is looked at.
 #[must_use]
 pub fn burn_alike(a: &Scene, b: &Scene) -> bool {
-    (a.seed, &a.air, &a.fires, &a.meshes) == (b.seed, &b.air, &b.fires, &b.meshes)
+    (a.seed, &a.air, &a.fires, &a.meshes, &a.motions) == (b.seed, &b.air, &b.fires, &b.meshes, &b.motions)
 }

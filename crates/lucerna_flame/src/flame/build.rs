@@ -147,6 +147,7 @@ impl Flame {
             fnv.float(tongue.share);
             fnv.float(tongue.cut.unwrap_or(-1.0));
         }
+        self.carried.pose.hash(fnv);
         self.chains.hash(fnv);
         self.free.iter().for_each(|f| f.hash(fnv));
     }

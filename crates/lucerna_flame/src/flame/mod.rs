@@ -6,6 +6,7 @@ mod shed;
 use crate::air::Air;
 use crate::chains::Chains;
 use crate::free::{self, Free};
+use crate::place::Carried;
 use crate::random::{PERIOD, Pcg, hash, noise_3d};
 use crate::roots::Roots;
 use crate::surface::{PlanKey, Surface, SurfacePlan};
@@ -57,6 +58,8 @@ pub(crate) struct Flame {
     seed: u64,
     rng: Pcg,
     tongues: Vec<Tongue>,
+    /// Where its wick is now; `roots` are there.
+    pub(crate) carried: Carried,
     pub(crate) chains: Chains,
     /// How far the eddies have risen, m.
     drift_m: f64,
@@ -113,6 +116,7 @@ impl Flame {
             seed,
             rng,
             tongues,
+            carried: Carried::default(),
             chains,
             drift_m: 0.0,
             spines: vec![Vec3::ZERO; leads * points],
@@ -140,6 +144,7 @@ impl Flame {
             self.chains.set_life(self.settings.skeletons.lead_life_s);
             self.rng = old.rng.clone();
             self.drift_m = old.drift_m;
+            self.place(old.carried.pose, 1.0);
             self.tongues.clone_from(&old.tongues);
             if self.row.len() == old.row.len() {
                 self.free.iter_mut().zip(&old.free).for_each(|(free, old)| free.inherit(old));

@@ -4,6 +4,7 @@ mod air;
 mod check;
 mod fire;
 mod look;
+mod motion;
 
 pub(crate) use air::inside as inside_air;
 pub(crate) use check::Check;
@@ -45,6 +46,7 @@ pub(crate) fn scene(check: &Check<'_>, scene: &Scene) -> Result<(), SceneError> 
         let allowed = format!("at most {}", crate::load::MAX_FLAMES);
         return Err(check.fail("the number of wicks of all fires", flames, allowed));
     }
+    motion::motions(check, scene)?;
     if scene.meshes.len() > MAX_MESHES {
         return Err(check.fail("the number of meshes", scene.meshes.len(), format!("at most {MAX_MESHES}")));
     }
