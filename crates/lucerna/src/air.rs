@@ -1,20 +1,26 @@
 //! The air of a scene.
 
 use glam::Vec3;
-use lucerna_fluid::{Advection, Fluid, FluidError, PressureSolver, ScalarAdvection, Side, Sides};
+use lucerna_fluid::{Advection, Combustion, Density, Fluid, FluidError, PressureSolver, ScalarAdvection, Side, Sides};
 use lucerna_scene::{Air, AirAdvection, AirSides, HeatAdvection, Pressure};
 
 /// Most acceleration of a row that the fluid takes, m/s^2.
 const MAX_ACCELERATION_M_S2: f32 = 1e6;
 
-/// Makes the air, at rest or moving with the wind.
-pub(crate) fn build(air: &Air) -> Result<Fluid, FluidError> {
+/// Smagorinsky's constant of air that burns: small eddies mix fuel into it.
+const SMAGORINSKY: f32 = 0.1;
+/// Viscosity over thermal diffusivity of gas.
+const PRANDTL: f32 = 0.7;
+
+/// Makes the air, at rest or moving with the wind. Where fuel burns in it, it is as light as it is hot, and heat and
+/// fuel are conserved.
+pub(crate) fn build(air: &Air, burning: Option<Combustion>) -> Result<Fluid, FluidError> {
     let sides = match air.sides {
         AirSides::Floor => Sides { y: [Side::FreeSlip, Side::Open], ..Sides::OPEN },
         AirSides::Open => Sides::OPEN,
         AirSides::Closed => Sides::CLOSED,
     };
-    Fluid::builder(air.cells.map(|n| n as usize))
+    let fluid = Fluid::builder(air.cells.map(|n| n as usize))
         .origin(air.origin_m.into())
         .size_m(air.size_m.into())
         .sides(sides)
@@ -38,8 +44,17 @@ pub(crate) fn build(air: &Air) -> Result<Fluid, FluidError> {
         .pressure(match air.pressure {
             Pressure::Direct => PressureSolver::Direct,
             Pressure::GaussSeidel(sweeps) => PressureSolver::GaussSeidel { sweeps },
-        })
-        .build()
+        });
+    match burning {
+        None => fluid.build(),
+        Some(combustion) => fluid
+            .density(Density::LowMach)
+            .scalar_advection(ScalarAdvection::Flux)
+            .thermal_diffusivity_m2_s(air.viscosity_m2_s / PRANDTL)
+            .smagorinsky(SMAGORINSKY)
+            .combustion(combustion)
+            .build(),
+    }
 }
 
 /// Whether the two need the same grid, so that the air can go on as it is.
@@ -52,13 +67,16 @@ pub(crate) fn same_grid(a: &Air, b: &Air) -> bool {
 /// Checks what [`adjust`] takes over, and changes nothing.
 pub(crate) fn check(air: &Air) -> Result<(), FluidError> {
     // A fluid of eight cells has the same limits, and costs nothing.
-    build(&Air { origin_m: [0.0; 3], size_m: [1.0; 3], cells: [2; 3], ..air.clone() }).map(drop)
+    build(&Air { origin_m: [0.0; 3], size_m: [1.0; 3], cells: [2; 3], ..air.clone() }, None).map(drop)
 }
 
 /// Takes over what can change while the air moves.
 pub(crate) fn adjust(fluid: &mut Fluid, air: &Air) -> Result<(), FluidError> {
     fluid.set_wind(air.wind_m_s.into())?;
     fluid.set_viscosity_m2_s(air.viscosity_m2_s)?;
+    if fluid.scalar_id("fuel").is_some() {
+        fluid.set_thermal_diffusivity_m2_s(air.viscosity_m2_s / PRANDTL)?;
+    }
     fluid.set_vorticity_confinement(air.vorticity_confinement)?;
     fluid.set_ambient_k(air.ambient_k)?;
     fluid.set_cooling_per_s(air.cooling_per_s)

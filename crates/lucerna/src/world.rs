@@ -5,7 +5,7 @@ use crate::error::WorldError;
 use crate::movers::Movers;
 use crate::report::{DebugLines, StepSummary};
 use lucerna_flame::{FlameSettings, Flames, Pose, Surfaces};
-use lucerna_fluid::Fluid;
+use lucerna_fluid::{Combustion, Fluid};
 use lucerna_frame::{Frame, LineVertex};
 use lucerna_scene::LoadedScene;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -49,7 +49,7 @@ impl World {
     /// # Errors
     /// When the scene says something that is not possible; the error names the field.
     pub fn new(scene: LoadedScene) -> Result<Self, WorldError> {
-        let fluid = air::build(&scene.scene.air)?;
+        let fluid = air::build(&scene.scene.air, burning(&scene)?)?;
         let mut flames = Flames::new(settings(&scene)?, scene.scene.seed)?;
         let movers = Movers::new(&scene);
         movers.start(&mut flames)?;
@@ -153,12 +153,13 @@ impl World {
         let (old, new) = (&self.scene.scene, &scene.scene);
         let settings = settings(&scene)?;
         let same_fires = self.scene.wicks == scene.wicks && old.seed == new.seed;
-        if same_fires && air::same_grid(&old.air, &new.air) {
+        let same_burning = burning(&self.scene)? == burning(&scene)?;
+        if same_fires && same_burning && air::same_grid(&old.air, &new.air) {
             air::check(&new.air)?;
             self.flames.set(settings)?;
             air::adjust(&mut self.fluid, &new.air)?;
         } else {
-            let fluid = air::build(&new.air)?;
+            let fluid = air::build(&new.air, burning(&scene)?)?;
             let mut flames = Flames::new(settings, new.seed)?;
             Movers::new(&scene).start(&mut flames)?;
             self.flames = flames;
@@ -234,6 +235,34 @@ impl World {
         &self.flames
     }
 
+    /// Sets a flame on fire, see [`Flames::ignite`]; flames are counted through the wicks of all fires.
+    ///
+    /// # Errors
+    /// When there is no such flame.
+    pub fn ignite(&mut self, flame: usize) -> Result<(), WorldError> {
+        Ok(self.flames.ignite(flame)?)
+    }
+
+    /// Puts a flame out, see [`Flames::extinguish`].
+    ///
+    /// # Errors
+    /// When there is no such flame.
+    pub fn extinguish(&mut self, flame: usize) -> Result<(), WorldError> {
+        Ok(self.flames.extinguish(flame)?)
+    }
+
+    /// Spreads a flame's fuel by a function of the user's, see [`Flames::set_fuel_function`].
+    ///
+    /// # Errors
+    /// When there is no such flame.
+    pub fn set_fuel_function(
+        &mut self,
+        flame: usize,
+        function: impl Fn(f32, f64) -> f32 + Send + Sync + 'static,
+    ) -> Result<(), WorldError> {
+        Ok(self.flames.set_fuel_function(flame, function)?)
+    }
+
     /// Simulated time, s.
     #[must_use]
     pub fn time_s(&self) -> f64 {
@@ -301,6 +330,11 @@ impl World {
     }
 }
 
+/// What the air has to burn.
+fn burning(scene: &LoadedScene) -> Result<Option<Combustion>, WorldError> {
+    Ok(lucerna_flame::combustion(scene.scene.fires.iter().map(|fire| &fire.drive))?)
+}
+
 /// One flame for each wick; checks what is not checked by flames and air.
 fn settings(scene: &LoadedScene) -> Result<Vec<FlameSettings>, WorldError> {
     let step_s = scene.scene.air.time_step_s;
@@ -320,6 +354,8 @@ fn settings(scene: &LoadedScene) -> Result<Vec<FlameSettings>, WorldError> {
     }
     let flame = |(fire, wick): (&lucerna_scene::Fire, &lucerna_flame::WickShape)| FlameSettings {
         wick: wick.clone(),
+        drive: fire.drive,
+        life: fire.life,
         fuel: fire.fuel.clone(),
         skeletons: fire.skeletons.clone(),
         surface: fire.surface,

@@ -2,6 +2,25 @@
 
 use glam::Vec3;
 
+/// Temperature of air that says nothing of its own, K.
+pub const ROOM_K: f32 = 293.15;
+
+/// What is in the air at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gas {
+    /// Temperature, K.
+    pub temperature_k: f32,
+    /// Mass fraction of fuel that has not burnt yet, 0 to 1.
+    pub fuel: f32,
+}
+
+impl Default for Gas {
+    /// Air of [`ROOM_K`] without fuel.
+    fn default() -> Self {
+        Self { temperature_k: ROOM_K, fuel: 0.0 }
+    }
+}
+
 /// Air that carries flames: a solver's grid, or any field of velocities.
 pub trait Air: Sync {
     /// Velocity at a point, m/s.
@@ -9,6 +28,18 @@ pub trait Air: Sync {
 
     /// Lowest and highest corner of the box of air, m. Particles stay inside.
     fn bounds(&self) -> (Vec3, Vec3);
+
+    /// Distance over which what is in the air changes, m: the shortest edge of a grid's cells; zero where there is no
+    /// such distance.
+    fn cell_m(&self) -> f32 {
+        0.0
+    }
+
+    /// What is in the air at points, as many as `out` has room for; by default nothing but air of [`ROOM_K`]. Flames
+    /// that burn fuel in the air are drawn where it is hot, and unlit wicks catch fire where it is.
+    fn gas(&self, _points: &[Vec3], out: &mut [Gas]) {
+        out.fill(Gas::default());
+    }
 
     /// Moves points with the air for `dt_s` seconds; by default with the midpoint rule.
     fn carry(&self, points: &mut [Vec3], dt_s: f32) {

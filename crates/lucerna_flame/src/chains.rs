@@ -51,6 +51,14 @@ impl Chains {
         chains
     }
 
+    /// How many chains there are.
+    pub(crate) fn skeletons(&self) -> usize {
+        self.skeletons
+    }
+    /// Age of the oldest particles, s.
+    pub(crate) fn oldest_s(&self) -> f32 {
+        if self.len > 0 { self.ages_s[self.slot(self.len - 1)] } else { 0.0 }
+    }
     pub(crate) fn roots_mut(&mut self) -> &mut [Vec3] {
         &mut self.roots
     }

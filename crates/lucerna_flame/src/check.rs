@@ -10,6 +10,8 @@ impl FlameSettings {
     /// # Errors
     /// At the first that is out of its range; the error names it.
     pub fn check(&self) -> Result<(), FlameError> {
+        self.drive.check()?;
+        self.life.check(&self.drive)?;
         self.fuel.check()?;
         self.skeletons.check()?;
         self.surface.check()?;

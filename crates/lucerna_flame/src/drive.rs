@@ -1,8 +1,13 @@
 //! Flames in the air of `lucerna_fluid`: how it carries them, and how their roots drive it.
 
+use crate::air::{Gas, keep_inside};
+use crate::flame::{Doings, Feed};
 use crate::{Air, Flames, Source};
 use glam::Vec3;
-use lucerna_fluid::{Fluid, FluidError};
+use lucerna_fluid::{Fluid, FluidError, ScalarSource, Shape};
+
+/// Name of the scalar that holds fuel.
+const FUEL: &str = "fuel";
 
 impl Air for Fluid {
     fn velocity(&self, point: Vec3) -> Vec3 {
@@ -13,6 +18,16 @@ impl Air for Fluid {
     }
     fn carry(&self, points: &mut [Vec3], dt_s: f32) {
         self.advect_points(points, dt_s);
+    }
+    fn cell_m(&self) -> f32 {
+        self.cell_size_m().min_element()
+    }
+    fn gas(&self, points: &[Vec3], out: &mut [Gas]) {
+        let fuel = self.scalar_id(FUEL);
+        for (out, point) in out.iter_mut().zip(points) {
+            let temperature_k = self.ambient_k() + self.temperature(*point);
+            *out = Gas { temperature_k, fuel: fuel.map_or(0.0, |fuel| self.scalar(fuel, *point)) };
+        }
     }
 }
 
@@ -43,14 +58,62 @@ impl Source {
     }
 }
 
+/// Points into which a patch is divided at most, and how many fall on a cell.
+const MAX_POINTS: f32 = 400.0;
+const POINTS_A_CELL: f32 = 3.0;
+
+impl Feed {
+    /// Lets the fuel in, evenly over the patch: a disc, or a band along a stretch of the wick.
+    fn add_to(&self, fluid: &mut Fluid, source: &mut lucerna_fluid::Source) -> Result<(), FluidError> {
+        if self.kg_s <= 0.0 {
+            return Ok(());
+        }
+        let bounds = fluid.bounds();
+        let length = self.half.length();
+        let across = self.half.cross(Vec3::Y).try_normalize().unwrap_or(Vec3::X);
+        let band = 4.0 * length * self.radius_m;
+        let disc = std::f32::consts::PI * self.radius_m * self.radius_m;
+        let area = if length > 0.0 { band } else { disc };
+        let cell = fluid.cell_m();
+        let points = (POINTS_A_CELL * area / (cell * cell)).max(2.0 * length / cell).ceil().clamp(1.0, MAX_POINTS);
+        let kg_s = self.kg_s / points;
+        source.inflow_m3_s = kg_s / self.vapour_kg_m3;
+        source.scalars[0].kg_s = kg_s;
+        for i in 0..points as u32 {
+            let x = i as f32 + 0.5;
+            let offset = if length > 0.0 {
+                // Equal steps along, and a low-discrepancy sequence across.
+                let aside = (x * 0.618_034).fract();
+                self.half * (2.0 * x / points - 1.0) + across * (self.radius_m * (2.0 * aside - 1.0))
+            } else {
+                // Vogel's spiral: equal areas, turned by the golden angle.
+                let (sin, cos) = (x * 2.399_963).sin_cos();
+                Vec3::new(cos, 0.0, sin) * (self.radius_m * (x / points).sqrt())
+            };
+            source.shape = Shape::Point(keep_inside(self.position + offset, bounds, self.position));
+            fluid.add_source(source)?;
+        }
+        Ok(())
+    }
+}
+
 impl Flames {
-    /// Moves the roots with the air and adds what they do to its coming step.
+    /// Moves the roots with the air and adds what they do to its coming step: forces and heat, or fuel.
     ///
     /// # Errors
-    /// When a number is outside what the air accepts.
+    /// When a number is outside what the air accepts; when flames let in fuel and the air does not burn any, see
+    /// [`combustion`](crate::combustion).
     pub fn drive(&mut self, fluid: &mut Fluid) -> Result<(), FluidError> {
         self.sources(fluid);
-        self.current_sources().iter().try_for_each(|source| source.add_to(fluid))?;
+        let Doings { sources, feeds, gas } = self.doings_mut();
+        sources.iter().try_for_each(|source| source.add_to(fluid))?;
+        if !feeds.is_empty() {
+            let fuel = fluid.scalar_id(FUEL).ok_or(FluidError::CombustionScalar { name: FUEL })?;
+            let gas = gas.get_or_insert_with(|| lucerna_fluid::Source::new(Shape::Point(Vec3::ZERO)));
+            gas.scalars.resize(1, ScalarSource::new(fuel));
+            gas.scalars[0].scalar = fuel;
+            feeds.iter().try_for_each(|feed| feed.add_to(fluid, gas))?;
+        }
         self.stir(fluid)
     }
 }

@@ -34,6 +34,26 @@ pub enum FlameError {
         /// The first bad number in it.
         value: f64,
     },
+    /// Flames in one air burn different fuels.
+    #[error("flame {flame} burns another fuel than those before it; one air burns one fuel")]
+    Fuels {
+        /// The first that does, from 0.
+        flame: usize,
+    },
+    /// There is no such flame.
+    #[error("there is no flame {flame}; there are {count}, counted from 0")]
+    NoFlame {
+        /// The one asked for.
+        flame: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// A supply of fuel is given in a measure that the drive does not have.
+    #[error("life.supply is given in {unit}; with root forces it can only be in seconds")]
+    Supply {
+        /// `grams` or `kilojoules`.
+        unit: &'static str,
+    },
     /// The surface could not be laid out.
     #[error("the flame's surface could not be laid out")]
     Surface(#[from] lucerna_nurbs::NurbsError),

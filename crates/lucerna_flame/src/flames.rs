@@ -1,11 +1,12 @@
 //! All flames that burn in the same air, and what is drawn of them.
 
 use crate::air::Air;
-use crate::flame::{Flame, Source};
-use crate::light::{LightGroup, add_light};
+use crate::flame::{Doings, Flame, Source};
+use crate::fuel::FuelFunction;
+use crate::light::{FlameLight, LightGroup, OwnLight, add_light};
 use crate::random::{Fnv, hash};
 use crate::surface::{ControlNet, PlanKey, SurfacePlan, Surfaces};
-use crate::{FlameError, FlameSettings};
+use crate::{FlameError, FlameSettings, combustion};
 use lucerna_frame::{FlameDraw, FlameGrid, FlameNet, FlameNets, FlameShade, FlameVertex, Light};
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -56,7 +57,7 @@ pub struct Flames {
     seed: u64,
     time_s: f64,
     steps: u64,
-    sources: Vec<Source>,
+    doings: Doings,
     vertices: Vec<FlameVertex>,
     points: Vec<[f32; 4]>,
     nets: Vec<FlameNet>,
@@ -67,6 +68,7 @@ pub struct Flames {
     light_groups: Vec<LightGroup>,
     group_of: Vec<usize>,
     lights: Vec<Light>,
+    flame_lights: Vec<FlameLight>,
 }
 
 impl Flames {
@@ -84,6 +86,7 @@ impl Flames {
         if settings.len() > MAX_FLAMES {
             return Err(FlameError::Count { field: "fires.wicks", count: settings.len(), allowed: "up to 2520" });
         }
+        combustion(settings.iter().map(|settings| &settings.drive))?;
         for (i, settings) in settings.into_iter().enumerate() {
             let seed = hash(seed ^ hash(i as u64));
             let known = old.get(i).filter(|old| old.settings.wick == settings.wick);
@@ -133,15 +136,82 @@ impl Flames {
 
     /// Moves the roots with the air and says what they do to it in the coming step.
     pub fn sources(&mut self, air: &impl Air) -> &[Source] {
-        self.sources.clear();
+        self.doings.sources.clear();
+        self.doings.feeds.clear();
         for flame in &mut self.flames {
-            flame.sources(air, self.time_s, self.steps, &mut self.sources);
+            flame.sources(air, self.time_s, self.steps, &mut self.doings);
         }
-        &self.sources
+        &self.doings.sources
     }
 
-    pub(crate) fn current_sources(&self) -> &[Source] {
-        &self.sources
+    pub(crate) fn doings_mut(&mut self) -> &mut Doings {
+        &mut self.doings
+    }
+
+    fn flame_mut(&mut self, flame: usize) -> Result<&mut Flame, FlameError> {
+        let count = self.flames.len();
+        self.flames.get_mut(flame).ok_or(FlameError::NoFlame { flame, count })
+    }
+
+    /// Sets a flame on fire, by its number in the settings, where it has fuel left. It grows to its strength in
+    /// [`Life::kindle_s`](crate::Life::kindle_s).
+    ///
+    /// # Errors
+    /// When there is no such flame.
+    pub fn ignite(&mut self, flame: usize) -> Result<(), FlameError> {
+        self.flame_mut(flame)?.fire.ignite();
+        Ok(())
+    }
+
+    /// Puts a flame out; it dies down in [`Life::fade_s`](crate::Life::fade_s). What it has left of its own heat does
+    /// not light it again.
+    ///
+    /// # Errors
+    /// When there is no such flame.
+    pub fn extinguish(&mut self, flame: usize) -> Result<(), FlameError> {
+        self.flame_mut(flame)?.fire.extinguish();
+        Ok(())
+    }
+
+    /// Whether a flame is lit. One that was just put out is not, though it still fades; nor is one that is not there.
+    #[must_use]
+    pub fn is_lit(&self, flame: usize) -> bool {
+        self.flames.get(flame).is_some_and(|flame| flame.fire.lit)
+    }
+
+    /// Spreads a flame's fuel by a function of the user's, in place of [`Fuel::distribution`](crate::Fuel): a factor,
+    /// 0 to 1000, by the place u in -1..1 along the wick and the time in s. With root forces it multiplies the
+    /// strength; with combustion, the rate of an even spread, so that a function that is 1 everywhere lets in the
+    /// rate that was set. It stays while the wick does, and is not part of what is hashed or saved: the same arguments
+    /// must give the same number, or replays differ.
+    ///
+    /// ```
+    /// # use lucerna_flame::{FlameSettings, Flames, WickShape};
+    /// let wick = WickShape::Polyline { points: vec![[-0.1, 0.0, 0.0], [0.1, 0.0, 0.0]], radius_m: 0.01 };
+    /// let mut flames = Flames::new(vec![FlameSettings::new(wick)], 1)?;
+    /// // A wave that runs along the wick.
+    /// flames.set_fuel_function(0, |u, time_s| 1.0 + 0.5 * (6.0 * u - 3.0 * time_s as f32).sin())?;
+    /// # Ok::<(), lucerna_flame::FlameError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// When there is no such flame.
+    pub fn set_fuel_function(
+        &mut self,
+        flame: usize,
+        function: impl Fn(f32, f64) -> f32 + Send + Sync + 'static,
+    ) -> Result<(), FlameError> {
+        self.flame_mut(flame)?.function = Some(FuelFunction(Arc::new(function)));
+        Ok(())
+    }
+
+    /// Back to [`Fuel::distribution`](crate::Fuel).
+    ///
+    /// # Errors
+    /// When there is no such flame.
+    pub fn clear_fuel_function(&mut self, flame: usize) -> Result<(), FlameError> {
+        self.flame_mut(flame)?.function = None;
+        Ok(())
     }
 
     /// Emits, carries and retires particles, after the air has made a step of `dt_s` seconds.
@@ -166,9 +236,11 @@ impl Flames {
         self.draws.clear();
         self.shades.clear();
         self.lights.clear();
+        self.flame_lights.clear();
         self.light_groups.iter_mut().for_each(LightGroup::clear);
         let mut first_vertex = 0;
         for (flame, &group) in self.flames.iter().zip(&self.group_of) {
+            let mut own = OwnLight::new(flame.roots.middle_and_length().0);
             for (surface, net, shade, free) in flame.surfaces() {
                 let plan = if free { &flame.free_plan } else { &flame.plan };
                 let grid = self.plans.iter().position(|(p, _)| Arc::ptr_eq(p, plan)).unwrap_or(0);
@@ -188,8 +260,9 @@ impl Flames {
                 });
                 first_vertex += plan.vertex_count() as u32;
                 self.shades.push(shade);
-                add_light(&surface.sections, &shade, flame.body, free, &mut self.light_groups[group]);
+                add_light(&surface.sections, &shade, flame.body, free, &mut self.light_groups[group], &mut own);
             }
+            self.flame_lights.push(own.finish(flame.fire.lit, flame.radiated_w()));
         }
         self.lights.extend(self.light_groups.iter().flat_map(LightGroup::lights));
     }
@@ -241,6 +314,11 @@ impl Flames {
     #[must_use]
     pub fn lights(&self) -> &[Light] {
         &self.lights
+    }
+    /// What each flame gives off, in the order of the settings, its free flames included.
+    #[must_use]
+    pub fn flame_lights(&self) -> &[FlameLight] {
+        &self.flame_lights
     }
     /// For each of [`lights`](Self::lights): its group of flames, and its part of the group, from 0 at the root to 2 at
     /// the tip.

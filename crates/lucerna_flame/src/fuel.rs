@@ -4,6 +4,28 @@ use crate::error::in_range;
 use crate::flame::MAX_HEAT_K_S;
 use crate::random::{hash, octaves, unit};
 use crate::{FlameError, Fuel, FuelDistribution, FuelForm, Swing};
+use std::fmt;
+use std::sync::Arc;
+
+/// A function of the user's: how much fuel flows at u in -1..1 along the wick at a time in s, as a factor.
+///
+/// The same arguments must give the same number, or replays differ.
+#[derive(Clone)]
+pub(crate) struct FuelFunction(pub(crate) Arc<dyn Fn(f32, f64) -> f32 + Send + Sync>);
+
+impl FuelFunction {
+    /// The factor, 0 to 1000; what is not a number counts as zero.
+    pub(crate) fn value(&self, u: f32, time_s: f64) -> f32 {
+        let value = (self.0)(u, time_s);
+        if value > 0.0 { value.min(1e3) } else { 0.0 }
+    }
+}
+
+impl fmt::Debug for FuelFunction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("FuelFunction")
+    }
+}
 
 impl FuelDistribution {
     /// F(u) for u in -1..1; `random` in 0..1 is the number drawn for this root.

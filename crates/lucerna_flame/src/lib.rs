@@ -9,6 +9,7 @@
 //! * [`Air`]: the air, any field of velocities; `lucerna_fluid::Fluid` is one.
 
 mod air;
+mod burning;
 mod chains;
 mod check;
 mod drive;
@@ -17,6 +18,7 @@ mod flame;
 mod flames;
 mod free;
 mod fuel;
+mod life;
 mod light;
 mod lines;
 mod net;
@@ -29,10 +31,13 @@ mod spine;
 mod surface;
 mod wick;
 
-pub use air::{Air, UniformAir};
+pub use air::{Air, Gas, ROOM_K, UniformAir};
+pub use burning::{Drive, FuelKind, Rate, combustion};
 pub use error::FlameError;
 pub use flame::Source;
 pub use flames::{Flames, MAX_FLAMES};
+pub use life::{BlowOut, Life, Supply};
+pub use light::FlameLight;
 pub use params::{FlameSettings, Fuel, FuelDistribution, FuelForm, Skeletons, SurfaceGrid, Swing, WickShape};
 pub use place::Pose;
 pub use roots::{LeadRoot, PeripheralRoot, Roots, lead_of_row};

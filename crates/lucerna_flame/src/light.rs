@@ -88,9 +88,60 @@ fn soot(shade: &FlameShade, height: f32) -> f32 {
     t * t * (3.0 - 2.0 * t) * tip
 }
 
-/// Adds the light of one surface, cut from tip to root, to its group; that of a free flame goes to the tip's. `body` is the black body's
-/// colour at the soot's temperature.
-pub(crate) fn add_light(sections: &[Section], shade: &FlameShade, body: Vec3, is_free: bool, group: &mut LightGroup) {
+/// What one flame gives off.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FlameLight {
+    /// Whether it is lit; one that was put out fades for a while.
+    pub lit: bool,
+    /// Volume of the gas that is drawn, m^3, its free flames included.
+    pub volume_m3: f32,
+    /// Heat radiated, W: the fuel's radiated share of what is let in. None with root forces, which have no heat in
+    /// kilowatts.
+    pub radiated_w: Option<f32>,
+    /// Where the light comes from on average, m; the middle of the wick where it is dark.
+    pub centroid: [f32; 3],
+    /// Radiant intensity, the same in all directions, linear and scene-referred: as [`Light::intensity`].
+    pub intensity: [f32; 3],
+}
+
+/// What one flame gives off, gathered surface by surface.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct OwnLight {
+    /// The middle of the wick, about which moments are taken.
+    from: Vec3,
+    volume_m3: f32,
+    power: f32,
+    first: Vec3,
+    color: Vec3,
+}
+
+impl OwnLight {
+    pub(crate) fn new(from: Vec3) -> Self {
+        Self { from, ..Self::default() }
+    }
+
+    pub(crate) fn finish(self, lit: bool, radiated_w: Option<f32>) -> FlameLight {
+        let centroid = if self.power > 1e-12 { self.from + self.first / self.power } else { self.from };
+        FlameLight {
+            lit,
+            volume_m3: self.volume_m3,
+            radiated_w,
+            centroid: centroid.to_array(),
+            intensity: self.color.to_array(),
+        }
+    }
+}
+
+/// Adds the light of one surface, cut from tip to root, to its group and to its flame's own; that of a free flame
+/// goes to the group's tip. `body` is the black body's colour at the soot's temperature.
+pub(crate) fn add_light(
+    sections: &[Section],
+    shade: &FlameShade,
+    body: Vec3,
+    is_free: bool,
+    group: &mut LightGroup,
+    own: &mut OwnLight,
+) {
     let color = body * Vec3::from(shade.tint) * shade.strength;
     for pair in sections.windows(2) {
         let (above, below) = (&pair[0], &pair[1]);
@@ -101,7 +152,12 @@ pub(crate) fn add_light(sections: &[Section], shade: &FlameShade, body: Vec3, is
         let tau = (extinction * radius).max(1e-6);
         let power = 0.5 * volume * extinction * (-tau).exp_m1() / -tau;
         let part = if is_free { LIGHTS - 1 } else { ((height * LIGHTS as f32) as usize).min(LIGHTS - 1) };
-        group.add(part, power, 0.5 * (above.middle + below.middle), radius, color);
+        let middle = 0.5 * (above.middle + below.middle);
+        group.add(part, power, middle, radius, color);
+        own.volume_m3 += volume;
+        own.power += power;
+        own.first += (middle - own.from) * power;
+        own.color += color * power;
     }
 }
 #[cfg(test)]

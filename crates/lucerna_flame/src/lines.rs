@@ -18,7 +18,7 @@ impl Flames {
     pub fn skeleton_lines(&self, out: &mut Vec<LineVertex>) {
         for flame in &self.flames {
             let leads = flame.roots.leads.len();
-            for k in 0..leads + flame.roots.peripherals.len() {
+            for k in 0..flame.chains.skeletons() {
                 let mut below = flame.chains.root(k);
                 for p in flame.chains.particles(k).skip(1) {
                     line(out, below, p, if k < leads { LEAD } else { PERIPHERAL });

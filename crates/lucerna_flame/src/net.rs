@@ -62,6 +62,15 @@ pub(crate) fn unfold(spine: &Spine<'_>, row: &mut [Vec3], heights: &mut [f32]) {
     }
 }
 
+/// A row at known distances outwards from the spine, for [`shape`].
+pub(crate) fn around(spine: &Spine<'_>, row: &mut [Vec3], heights: &mut [f32], outward: Vec3, radii: &[f32]) {
+    let last = row.len().max(2) - 1;
+    for (k, ((point, height), radius)) in row.iter_mut().zip(heights).zip(radii).enumerate() {
+        *height = HIGHEST * spine.total() * k as f32 / last as f32;
+        *point = spine.lean(*height) * outward * *radius;
+    }
+}
+
 /// Turns offsets and heights of a chain into control points. `room` is how far each may stray to the side.
 pub(crate) fn shape(spine: &Spine<'_>, row: &mut [Vec3], heights: &[f32], room: &[f32], how: Shaping) {
     let last = row.len().max(2) - 1;

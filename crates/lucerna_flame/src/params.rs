@@ -1,5 +1,6 @@
 //! What a user says about a fire: wicks, fuel, skeletons, surface. All of it is plain data with serde.
 
+use crate::{Drive, Life};
 use serde::{Deserialize, Serialize};
 
 /// The shape of a wick: where fuel comes from (paper 003, section 4.1).
@@ -92,7 +93,8 @@ pub struct Fuel {
     pub strength_m_s2: f32,
     /// `F_ext`.
     pub swing: Swing,
-    /// Heating of the air at each lead root, K/s; it rises by buoyancy and makes flames neck and roll.
+    /// Heating of the air at each lead root, K/s; it rises by buoyancy and makes flames neck and roll. As
+    /// [`strength_m_s2`](Self::strength_m_s2), it counts with [`Drive::RootForces`] only.
     pub heat_k_s: f32,
 }
 
@@ -191,8 +193,12 @@ impl Default for SurfaceGrid {
 pub struct FlameSettings {
     /// The wick's shape.
     pub wick: WickShape,
-    /// What burns.
+    /// How it drives the air.
+    pub drive: Drive,
+    /// How fuel is spread along the wick; how strong root forces are.
     pub fuel: Fuel,
+    /// How it begins and ends.
+    pub life: Life,
     /// The particle chains.
     pub skeletons: Skeletons,
     /// The surface.
@@ -207,7 +213,9 @@ impl FlameSettings {
     pub fn new(wick: WickShape) -> Self {
         Self {
             wick,
+            drive: Drive::default(),
             fuel: Fuel::default(),
+            life: Life::default(),
             skeletons: Skeletons::default(),
             surface: SurfaceGrid::default(),
             shade: lucerna_frame::FlameShade::default(),

@@ -2,7 +2,7 @@
 
 use crate::{Motion, WickSource};
 use glam::{EulerRot, Quat};
-use lucerna_flame::{Fuel, Skeletons, SurfaceGrid};
+use lucerna_flame::{Drive, Fuel, Life, Skeletons, SurfaceGrid};
 use lucerna_frame::{Camera, FlameShade, Look};
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -151,9 +151,15 @@ impl Air {
 pub struct Fire {
     /// The wicks; each carries a flame, or several where it is a ring or has several parts.
     pub wicks: Vec<WickSource>,
-    /// What burns.
+    /// How it drives the air, and what burns.
+    #[serde(default)]
+    pub drive: Drive,
+    /// How fuel is spread along the wicks, and how strong root forces are.
     #[serde(default)]
     pub fuel: Fuel,
+    /// How it begins and ends.
+    #[serde(default)]
+    pub life: Life,
     /// The particle chains.
     #[serde(default)]
     pub skeletons: Skeletons,

@@ -23,7 +23,8 @@ impl Flame {
         let limits = Limits { stands: Vec3::Y, least_m: SHORTEST * s.width_m, bend_m: TIGHTEST * s.width_m };
         let spines = self.spines.chunks_exact_mut(points).zip(self.lengths.chunks_exact_mut(points));
         for (i, ((spine, lengths), tongue)) in spines.zip(&self.tongues).enumerate() {
-            self.chains.sample(i, s.lead_life_s * tongue.reach / (points - 1) as f32, spine);
+            let age_s = self.hot.as_ref().map_or(s.lead_life_s * tongue.reach, |hot| hot.tip_s(i));
+            self.chains.sample(i, age_s / (points - 1) as f32, spine);
             spine::straighten(spine, lengths, &mut self.row, limits);
         }
         self.part_spines();
@@ -60,7 +61,9 @@ impl Flame {
 
     /// Makes the control net.
     pub(super) fn build_net(&mut self) {
-        self.trace_spines();
+        if self.hot.is_none() {
+            self.trace_spines();
+        }
         let points = self.row.len();
         let s = &self.settings.skeletons;
         let leads = self.roots.leads.len();
@@ -69,6 +72,14 @@ impl Flame {
         for (r, (out, root)) in self.net.chunks_exact_mut(points + 2).zip(&self.roots.peripherals).enumerate() {
             let range = root.lead * points..(root.lead + 1) * points;
             let spine = Spine { points: &self.spines[range.clone()], lengths: &self.lengths[range.clone()] };
+            if let Some(hot) = &self.hot {
+                net::around(&spine, &mut self.row, &mut self.heights, root.outward, hot.row(r, points));
+                let (least_m, most_m) = (0.1 * s.width_m, 1e3);
+                let how = Shaping { outward: root.outward, least_m, most_m, taper: 0.0, spread };
+                net::shape(&spine, &mut self.row, &self.heights, &self.rooms[range], how);
+                net::write_row(out, &spine, &self.row);
+                continue;
+            }
             let reach = self.tongues[root.lead].reach;
             self.chains.sample(leads + r, s.peripheral_life_s * reach / (points - 1) as f32, &mut self.row);
             net::unfold(&spine, &mut self.row, &mut self.heights);
@@ -117,8 +128,10 @@ impl Flame {
 
     /// Makes the nets and surfaces of the flame and of its free flames.
     pub(crate) fn build(&mut self, surfaces: Surfaces) {
-        self.build_net();
-        self.surface.build(&self.plan, &self.net, surfaces);
+        if self.fire.burns() {
+            self.build_net();
+            self.surface.build(&self.plan, &self.net, surfaces);
+        }
         for free in self.free.iter_mut().filter(|f| f.burning) {
             free.build_net(&self.free_plan);
             free.surface.build(&self.free_plan, &free.net, surfaces);
@@ -129,6 +142,7 @@ impl Flame {
     /// free.
     pub(crate) fn surfaces(&self) -> impl Iterator<Item = (&Surface, &[[f32; 3]], FlameShade, bool)> {
         let shade = self.settings.shade;
+        let attached = FlameShade { strength: shade.strength * self.presence(), ..shade };
         let free = self.free.iter().filter(|f| f.burning).map(move |f| {
             // A free flame has left the wick: it is soot from end to end, without a blue zone.
             let strength = shade.strength * f.strength();
@@ -136,11 +150,25 @@ impl Flame {
                 FlameShade { soot_begin: 0.0, soot_full: 0.2, blue_per_m: 0.0, dark_radius: 0.0, strength, ..shade };
             (&f.surface, &*f.net, loose, true)
         });
-        std::iter::once((&self.surface, &*self.net, shade, false)).chain(free)
+        self.fire.burns().then_some((&self.surface, &*self.net, attached, false)).into_iter().chain(free)
+    }
+
+    /// How much of its full strength the attached flame is drawn with: it comes and goes smoothly.
+    fn presence(&self) -> f32 {
+        let rise = |x: f32| {
+            let x = x.min(1.0);
+            x * x * (3.0 - 2.0 * x)
+        };
+        rise(3.0 * self.fire.power)
     }
 
     pub(crate) fn hash(&self, fnv: &mut Fnv) {
         fnv.word(self.rng.state());
+        self.fire.hash(fnv);
+        fnv.float(self.flow);
+        if let Some(hot) = &self.hot {
+            hot.hash(fnv);
+        }
         fnv.word(self.drift_m.to_bits());
         for tongue in &self.tongues {
             fnv.float(tongue.reach);

@@ -1,18 +1,24 @@
 //! One flame: its roots, chains, net, surface and the tips that broke away from it.
 
 mod build;
+mod hot;
+mod roots;
 mod shed;
 
 use crate::air::Air;
 use crate::chains::Chains;
 use crate::free::{self, Free};
 use crate::place::Carried;
+use crate::fuel::FuelFunction;
+use crate::life::Fire;
 use crate::random::{PERIOD, Pcg, hash, noise_3d};
 use crate::roots::Roots;
 use crate::surface::{PlanKey, Surface, SurfacePlan};
-use crate::{Centreline, FlameError, FlameSettings};
+use crate::{Centreline, Drive, FlameError, FlameSettings};
 use glam::Vec3;
+use hot::Hot;
 use lucerna_frame::blackbody_rgb;
+pub(crate) use roots::{Doings, Feed};
 use std::sync::Arc;
 
 /// How much of its life a flame spans when it is lit; it grows from there.
@@ -60,6 +66,12 @@ pub(crate) struct Flame {
     tongues: Vec<Tongue>,
     /// Where its wick is now; `roots` are there.
     pub(crate) carried: Carried,
+    pub(crate) fire: Fire,
+    pub(crate) function: Option<FuelFunction>,
+    /// Share of the full rate at which fuel flows in this step.
+    flow: f32,
+    /// The shape of what burns in the air; none with root forces.
+    hot: Option<Hot>,
     pub(crate) chains: Chains,
     /// How far the eddies have risen, m.
     drift_m: f64,
@@ -110,13 +122,21 @@ impl Flame {
         let mut rng = Pcg::new(seed);
         let tongues = (0..leads).map(|_| Tongue { share: rng.next_unit(), reach: KINDLING, cut: None }).collect();
         let rest = roots.leads.iter().map(|l| l.position).chain(roots.peripherals.iter().map(|p| p.position));
-        let chains = Chains::new(rest.collect(), s.lead_life_s, s.width_m);
+        let fire = Fire::new(&settings.life, &settings.drive);
+        let hot = (settings.drive != Drive::RootForces).then(|| Hot::new(leads, rows, points));
+        // The sides of gas that burns are looked for in the air: only its spines are chains.
+        let skeletons = if hot.is_some() { leads } else { leads + rows };
+        let chains = Chains::new(rest.take(skeletons).collect(), s.lead_life_s, s.width_m);
         let pool = if s.shed_per_s > 0.0 { (2.0 * s.shed_per_s * s.free_life_s).ceil() as usize + 1 } else { 0 };
         Ok(Self {
             seed,
             rng,
             tongues,
             carried: Carried::default(),
+            fire,
+            function: None,
+            flow: fire.power,
+            hot,
             chains,
             drift_m: 0.0,
             spines: vec![Vec3::ZERO; leads * points],
@@ -139,9 +159,23 @@ impl Flame {
 
     /// Takes over what burned in `old`, where it has the same skeletons.
     pub(crate) fn inherit(&mut self, old: &Self) {
-        if self.settings.wick == old.settings.wick && self.roots.leads.len() == old.roots.leads.len() {
+        if self.settings.wick == old.settings.wick {
+            self.function.clone_from(&old.function);
+            let (new, before) = (&self.settings, &old.settings);
+            if new.life.lit == before.life.lit {
+                let same_supply = new.life.supply == before.life.supply && new.drive == before.drive;
+                let left_s = if same_supply { old.fire.left_s } else { self.fire.left_s };
+                self.fire = old.fire;
+                self.fire.left_s = left_s;
+            }
+        }
+        let same_roots = self.roots.leads.len() == old.roots.leads.len();
+        if self.settings.wick == old.settings.wick && same_roots && self.chains.skeletons() == old.chains.skeletons() {
             self.chains = old.chains.clone();
             self.chains.set_life(self.settings.skeletons.lead_life_s);
+            if let (Some(hot), Some(old)) = (&mut self.hot, &old.hot) {
+                hot.inherit(old);
+            }
             self.rng = old.rng.clone();
             self.drift_m = old.drift_m;
             self.place(old.carried.pose, 1.0);
@@ -152,46 +186,14 @@ impl Flame {
         }
     }
 
-    /// Moves the roots with the air and says what they do to it in the coming step.
-    pub(crate) fn sources(&mut self, air: &impl Air, time_s: f64, step: u64, out: &mut Vec<Source>) {
-        let s = &self.settings.skeletons;
-        let (leads, rows) = (&self.roots.leads, &self.roots.peripherals);
-        let rest = leads.iter().map(|l| (l.position, s.lead_sway_s));
-        let rest = rest.chain(rows.iter().map(|p| (p.position, s.peripheral_sway_s)));
-        let bounds = air.bounds();
-        for (root, (position, sway)) in self.chains.roots_mut().iter_mut().zip(rest) {
-            let moved = position + air.velocity(position) * Vec3::from(sway);
-            *root = crate::air::keep_inside(moved, bounds, position);
-        }
-        let fuel = &self.settings.fuel;
-        for (i, (lead, tongue)) in leads.iter().zip(&self.tongues).enumerate() {
-            // A point has no left and right: all of its fuel burns there.
-            let share = if leads.len() == 1 { 1.0 } else { fuel.distribution.value(lead.u, fuel.form, tongue.share) };
-            let swing = fuel.swing.value(time_s, step, self.seed, i as u32);
-            let acceleration = fuel.acceleration_m_s2(share, swing);
-            let beside = rows.iter().filter(|r| r.lead == i).count() as f32;
-            // Half of the drive acts at the lead root, half is shared out around it.
-            out.push(Source {
-                position: self.chains.root(i),
-                acceleration_m_s2: 0.5 * acceleration,
-                reach_m: 2.0 * s.width_m,
-                radius_m: 2.0 * s.width_m,
-                heat_k_s: (fuel.heat_k_s * (share + swing).max(0.0)).min(MAX_HEAT_K_S),
-            });
-            for (r, _) in rows.iter().enumerate().filter(|(_, row)| row.lead == i) {
-                out.push(Source {
-                    position: self.chains.root(leads.len() + r),
-                    acceleration_m_s2: 0.5 * acceleration / beside,
-                    reach_m: 2.0 * s.width_m,
-                    radius_m: 2.0 * s.width_m,
-                    heat_k_s: 0.0,
-                });
-            }
-        }
-    }
-
     /// Emits, carries and retires particles; breaks and regrows tips.
     pub(crate) fn step(&mut self, air: &impl Air, dt_s: f32) {
+        let felt = self.feel(air);
+        self.fire.step(&self.settings.life, &self.settings.drive, felt, self.flow, dt_s);
+        if self.hot.is_some() {
+            self.step_hot(air, dt_s);
+            return;
+        }
         let s = &self.settings.skeletons;
         let leads = self.roots.leads.len();
         // The gas expands while it is young: outward speed v e^(-age / t), integrated exactly.

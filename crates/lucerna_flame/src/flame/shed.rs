@@ -1,7 +1,7 @@
 //! Tips that break away: a tongue is cut at half of its height or above, its upper part becomes a
 //! free flame at the same place, and what is left regrows more slowly than the gas rises.
 
-use super::Flame;
+use super::{Flame, KINDLING};
 use crate::free::{BREAK_S, ROWS, frames};
 use crate::spine::Spine;
 use glam::Vec3;
@@ -13,6 +13,7 @@ impl Flame {
     /// Draws cut tongues back, then lets them grow.
     pub(super) fn regrow(&mut self, dt_s: f32) {
         let rate = REGROWTH / self.settings.skeletons.lead_life_s;
+        let most = if self.fire.power < 1.0 { KINDLING.max(self.fire.power) } else { 1.0 };
         for tongue in &mut self.tongues {
             match tongue.cut {
                 Some(cut) => {
@@ -21,7 +22,7 @@ impl Flame {
                         (tongue.reach, tongue.cut) = (cut, None);
                     }
                 }
-                None => tongue.reach = (tongue.reach + rate * dt_s).min(1.0),
+                None => tongue.reach = (tongue.reach + rate * dt_s).min(most),
             }
         }
     }

@@ -3,7 +3,7 @@
 use super::{Check, placed};
 use crate::model::Placement;
 use crate::{Air, Fire, SceneError, WickSource};
-use lucerna_flame::{Fuel, FuelDistribution, Skeletons, SurfaceGrid, Swing};
+use lucerna_flame::{FlameError, Fuel, FuelDistribution, Skeletons, SurfaceGrid, Swing};
 use lucerna_frame::FlameShade;
 
 /// Most wicks of one fire.
@@ -23,10 +23,23 @@ pub(super) fn fire(check: &Check<'_>, air: &Air, field: &str, fire: &Fire) -> Re
     for (index, source) in fire.wicks.iter().enumerate() {
         wick(check, air, &format!("{field}.wicks[{index}]"), source)?;
     }
+    let life = fire.drive.check().and_then(|()| fire.life.check(&fire.drive));
+    life.map_err(|error| refused(check, field, &error))?;
     fuel(check, &format!("{field}.fuel"), &fire.fuel)?;
     skeletons(check, &format!("{field}.skeletons"), &fire.skeletons)?;
     surface(check, &format!("{field}.surface"), &fire.surface)?;
     shade(check, &format!("{field}.shade"), &fire.shade)
+}
+
+/// What a flame says of its own settings, as a scene says it.
+fn refused(check: &Check<'_>, fire: &str, error: &FlameError) -> SceneError {
+    match error {
+        FlameError::OutOfRange { field, value, allowed } => check.fail(format!("{fire}.{field}"), value, *allowed),
+        FlameError::Supply { unit } => {
+            check.fail(format!("{fire}.life.supply"), unit, "seconds, as the drive is root_forces")
+        }
+        other => check.fail(fire, other, "what flames take"),
+    }
 }
 
 fn wick(check: &Check<'_>, air: &Air, field: &str, wick: &WickSource) -> Result<(), SceneError> {

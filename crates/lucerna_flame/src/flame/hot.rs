@@ -1,0 +1,183 @@
+//! The shape of gas that burns in the air: how far each spine reaches, and how wide it is.
+//!
+//! What is drawn is what glows: gas hot enough for its soot to be seen, and fuel that burns at its rim. A spine is the
+//! line of particles that left its root, as far up as they glow; around it the edge is looked for in the air.
+
+use super::Flame;
+use crate::air::{Air, Gas, ROOM_K};
+use crate::net::HIGHEST;
+use crate::random::Fnv;
+use crate::spine::Spine;
+use glam::Vec3;
+use lucerna_fluid::OXYGEN_IN_AIR;
+
+/// Temperature from which soot is seen to glow, K. Soot in flames is measured at 1000 to 1900 K (the FM burner of the `MaCFP` database:
+/// 1440 to 1540 K on average); below, it is dark red next to the rest. On grids, a temperature is the mean over a cell.
+const GLOWS_K: f32 = 1000.0;
+/// Points on a chain at which the gas is looked at.
+const PROBES: usize = 32;
+/// Most steps outwards from a spine.
+const OUTWARDS: usize = 40;
+/// Time in which the drawn edge follows that of the gas, s.
+const FOLLOWS_S: f32 = 0.02;
+/// Least and greatest time over which particles are kept, s.
+const KEPT_S: [f32; 2] = [0.04, 6.0];
+
+/// The shape of one flame's burning gas.
+#[derive(Debug)]
+pub(crate) struct Hot {
+    /// Age of the gas at each tip, s, by lead.
+    tips_s: Vec<f32>,
+    /// Distance of the edge from the spine, m, by row and point of the spine, from the root.
+    radii: Vec<f32>,
+    next: Vec<f32>,
+    /// One ray outwards for each of them: where it begins, its direction, the last two samples.
+    rays: Vec<Ray>,
+    points: Vec<Vec3>,
+    gas: Vec<Gas>,
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+struct Ray {
+    from: Vec3,
+    way: Vec3,
+    /// How much it glowed a step before, over what is the edge.
+    before: f32,
+    radius_m: f32,
+    ended: bool,
+}
+
+impl Hot {
+    pub(super) fn new(leads: usize, rows: usize, points: usize) -> Self {
+        let rays = rows * points;
+        Self {
+            tips_s: vec![0.0; leads],
+            radii: vec![0.0; rays],
+            next: vec![0.0; rays],
+            rays: vec![Ray::default(); rays],
+            points: vec![Vec3::ZERO; rays.max(PROBES)],
+            gas: vec![Gas::default(); rays.max(PROBES)],
+        }
+    }
+
+    /// Age of the gas at the tip of a lead's spine, s.
+    pub(super) fn tip_s(&self, lead: usize) -> f32 {
+        self.tips_s[lead]
+    }
+
+    /// The edge of a row, from the root.
+    pub(super) fn row(&self, row: usize, points: usize) -> &[f32] {
+        &self.radii[row * points..(row + 1) * points]
+    }
+
+    pub(super) fn inherit(&mut self, old: &Self) {
+        if self.radii.len() == old.radii.len() && self.tips_s.len() == old.tips_s.len() {
+            self.tips_s.clone_from(&old.tips_s);
+            self.radii.clone_from(&old.radii);
+        }
+    }
+
+    pub(super) fn hash(&self, fnv: &mut Fnv) {
+        self.tips_s.iter().chain(&self.radii).for_each(|value| fnv.float(*value));
+    }
+}
+
+/// How gas is judged: 1 at the edge of what glows.
+#[derive(Clone, Copy)]
+struct Glow {
+    /// Mass fraction of fuel that burns in the air around it to the last of both.
+    stoichiometric: f32,
+}
+
+impl Glow {
+    fn of(self, gas: Gas) -> f32 {
+        let heat = (gas.temperature_k - ROOM_K) / (GLOWS_K - ROOM_K);
+        heat.max(gas.fuel / self.stoichiometric)
+    }
+}
+
+impl Flame {
+    /// Carries the particles and finds the shape anew.
+    pub(super) fn step_hot(&mut self, air: &impl Air, dt_s: f32) {
+        let oxygen = self.settings.drive.fuel().map_or(1.0, |fuel| fuel.gas().oxygen_kg_kg);
+        let glow = Glow { stoichiometric: OXYGEN_IN_AIR / (oxygen + OXYGEN_IN_AIR) };
+        let Some(hot) = &mut self.hot else { return };
+        let tallest = hot.tips_s.iter().copied().fold(0.0, f32::max);
+        self.chains.set_life((1.5 * tallest + 4.0 * dt_s).clamp(KEPT_S[0], KEPT_S[1]));
+        self.chains.step(air, dt_s, |_, _, _| Vec3::ZERO);
+        let width = self.settings.skeletons.width_m;
+        for lead in 0..hot.tips_s.len() {
+            let oldest = self.chains.oldest_s();
+            let spacing = oldest / (PROBES - 1) as f32;
+            let (points, gas) = (&mut hot.points[..PROBES], &mut hot.gas[..PROBES]);
+            self.chains.sample(lead, spacing, points);
+            air.gas(points, gas);
+            let tip = spacing * tip(points, gas, glow, width);
+            let now = &mut hot.tips_s[lead];
+            // Gas rises no faster than it ages, however much of it there is.
+            *now += (tip - *now).min(dt_s).max(-*now * (1.0 - (-dt_s / FOLLOWS_S).exp()));
+        }
+        self.trace_spines();
+        self.measure(air, glow, dt_s);
+    }
+
+    /// Looks for the edge outwards from all points of the spines, all rays a step at a time.
+    fn measure(&mut self, air: &impl Air, glow: Glow, dt_s: f32) {
+        let Some(hot) = &mut self.hot else { return };
+        let n = self.row.len();
+        let width = self.settings.skeletons.width_m;
+        let step = if air.cell_m() > 0.0 { 0.5 * air.cell_m() } else { 0.1 * width };
+        for (r, root) in self.roots.peripherals.iter().enumerate() {
+            let range = root.lead * n..(root.lead + 1) * n;
+            let spine = Spine { points: &self.spines[range.clone()], lengths: &self.lengths[range] };
+            for k in 0..n {
+                let length = spine.total() * HIGHEST * k as f32 / (n - 1) as f32;
+                let way = spine.lean(length) * root.outward;
+                hot.rays[r * n + k] = Ray { from: spine.at(length), way, ..Ray::default() };
+            }
+        }
+        for i in 0..OUTWARDS {
+            let distance = step * i as f32;
+            for (point, ray) in hot.points.iter_mut().zip(&hot.rays) {
+                *point = ray.from + ray.way * distance;
+            }
+            air.gas(&hot.points[..hot.rays.len()], &mut hot.gas[..hot.rays.len()]);
+            let mut all_ended = true;
+            for (ray, gas) in hot.rays.iter_mut().zip(&hot.gas).filter(|(ray, _)| !ray.ended) {
+                let here = glow.of(*gas);
+                if here < 1.0 {
+                    ray.ended = true;
+                    let share = (ray.before - 1.0) / (ray.before - here).max(1e-6);
+                    ray.radius_m = (distance - step + step * share.clamp(0.0, 1.0)).max(0.0);
+                } else {
+                    (ray.before, ray.radius_m, all_ended) = (here, distance, false);
+                }
+            }
+            if all_ended {
+                break;
+            }
+        }
+        // What was drawn rises with the gas, and follows the edge that was found.
+        let follow = 1.0 - (-dt_s / FOLLOWS_S).exp();
+        for (r, root) in self.roots.peripherals.iter().enumerate() {
+            let rise = dt_s * (n - 1) as f32 / hot.tips_s[root.lead].max(dt_s);
+            let old = &hot.radii[r * n..(r + 1) * n];
+            for k in 0..n {
+                let x = (k as f32 - rise).max(0.0);
+                let (i, part) = (x as usize, x.fract());
+                let risen = old[i] + (old[(i + 1).min(n - 1)] - old[i]) * part;
+                hot.next[r * n + k] = risen + follow * (hot.rays[r * n + k].radius_m - risen);
+            }
+        }
+        std::mem::swap(&mut hot.radii, &mut hot.next);
+    }
+}
+
+/// How far the gas glows up a chain, in points; it may begin to a little above the root.
+fn tip(points: &[Vec3], gas: &[Gas], glow: Glow, width_m: f32) -> f32 {
+    let near = |k: &usize| points[*k].distance(points[0]) <= 2.0 * width_m;
+    let Some(first) = (0..points.len()).take_while(near).find(|k| glow.of(gas[*k]) >= 1.0) else { return 0.0 };
+    let Some(end) = (first..points.len()).find(|k| glow.of(gas[*k]) < 1.0) else { return (points.len() - 1) as f32 };
+    let (above, below) = (glow.of(gas[end - 1]), glow.of(gas[end]));
+    (end - 1) as f32 + (above - 1.0) / (above - below).max(1e-6)
+}
