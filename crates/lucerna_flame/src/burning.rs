@@ -20,7 +20,7 @@ pub enum Drive {
     Combustion {
         /// What burns.
         fuel: FuelKind,
-        /// How much of it in all, for each wick.
+        /// How much of it in all, for each flame.
         rate: Rate,
     },
 }

@@ -22,9 +22,9 @@ pub enum Supply {
     Endless,
     /// For so many seconds at the full rate, up to 1e9.
     Seconds(f32),
-    /// So many grams for each wick, up to 1e9; only with `combustion`.
+    /// So many grams for each flame, up to 1e9; only with `combustion`.
     Grams(f32),
-    /// As much as releases so many kilojoules for each wick, up to 1e9; only with `combustion`.
+    /// As much as releases so many kilojoules for each flame, up to 1e9; only with `combustion`.
     Kilojoules(f32),
 }
 
