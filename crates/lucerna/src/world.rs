@@ -193,7 +193,8 @@ impl World {
         debug_assert!(started.is_ok(), "{started:?}");
         self.fluid.reset();
         if self.movers.carries_air()
-            && let Ok(fluid) = air::build(&self.scene.scene.air)
+            && let Ok(burning) = burning(&self.scene)
+            && let Ok(fluid) = air::build(&self.scene.scene.air, burning)
         {
             self.fluid = fluid;
         }

@@ -84,6 +84,13 @@ pub(crate) struct Carried {
     speeds: Vec<Vec3>,
 }
 
+impl Carried {
+    /// How fast a lead root moves, m/s.
+    pub(crate) fn speed(&self, lead: usize) -> Vec3 {
+        self.speeds.get(lead).copied().unwrap_or(Vec3::ZERO)
+    }
+}
+
 impl Flame {
     /// Moves the roots to a pose of the wick, on the way there during the coming step of `dt_s` seconds.
     pub(crate) fn place(&mut self, pose: Pose, dt_s: f32) {

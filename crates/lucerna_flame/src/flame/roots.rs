@@ -142,11 +142,11 @@ impl Flame {
     pub(crate) fn feel(&self, air: &impl Air) -> Felt {
         let leads = &self.roots.leads;
         let (mut hottest, mut velocity) = (0.0_f32, Vec3::ZERO);
-        for lead in leads {
+        for (i, lead) in leads.iter().enumerate() {
             let mut gas = [Gas::default()];
             air.gas(&[lead.position], &mut gas);
             hottest = hottest.max(gas[0].temperature_k);
-            velocity += air.velocity(lead.position);
+            velocity += air.velocity(lead.position) - self.carried.speed(i);
         }
         // What a fire draws in from both sides cancels; what it lifts is not wind.
         let wind = velocity.with_y(0.0) / leads.len() as f32;
