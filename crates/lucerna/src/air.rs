@@ -1,7 +1,9 @@
-//! The air of a scene.
+//! One box of air.
 
 use glam::Vec3;
-use lucerna_fluid::{Advection, Combustion, Density, Fluid, FluidError, PressureSolver, ScalarAdvection, Side, Sides};
+use lucerna_fluid::{
+    Advection, Combustion, Density, Fluid, FluidBuilder, FluidError, PressureSolver, ScalarAdvection, Side, Sides,
+};
 use lucerna_scene::{Air, AirAdvection, AirSides, HeatAdvection, Pressure};
 
 /// Most acceleration of a row that the fluid takes, m/s^2.
@@ -12,9 +14,9 @@ const SMAGORINSKY: f32 = 0.1;
 /// Viscosity over thermal diffusivity of gas.
 const PRANDTL: f32 = 0.7;
 
-/// Makes the air, at rest or moving with the wind. Where fuel burns in it, it is as light as it is hot, and heat and
+/// What makes the air, at rest or moving with the wind. Where fuel burns in it, it is as light as it is hot, and heat and
 /// fuel are conserved.
-pub(crate) fn build(air: &Air, burning: Option<Combustion>) -> Result<Fluid, FluidError> {
+pub(crate) fn builder(air: &Air, burning: Option<Combustion>) -> FluidBuilder {
     let sides = match air.sides {
         AirSides::Floor => Sides { y: [Side::FreeSlip, Side::Open], ..Sides::OPEN },
         AirSides::Open => Sides::OPEN,
@@ -46,15 +48,20 @@ pub(crate) fn build(air: &Air, burning: Option<Combustion>) -> Result<Fluid, Flu
             Pressure::GaussSeidel(sweeps) => PressureSolver::GaussSeidel { sweeps },
         });
     match burning {
-        None => fluid.build(),
+        None => fluid,
         Some(combustion) => fluid
             .density(Density::LowMach)
             .scalar_advection(ScalarAdvection::Flux)
             .thermal_diffusivity_m2_s(air.viscosity_m2_s / PRANDTL)
             .smagorinsky(SMAGORINSKY)
-            .combustion(combustion)
-            .build(),
+            .combustion(combustion),
     }
+}
+
+/// Whether the two can be stepped together.
+pub(crate) fn same_shape(a: &Air, b: &Air) -> bool {
+    let shape = |air: &Air| (air.size_m, air.cells, air.pressure, air.sides);
+    shape(a) == shape(b)
 }
 
 /// Whether the two need the same grid, so that the air can go on as it is.
@@ -67,7 +74,7 @@ pub(crate) fn same_grid(a: &Air, b: &Air) -> bool {
 /// Checks what [`adjust`] takes over, and changes nothing.
 pub(crate) fn check(air: &Air) -> Result<(), FluidError> {
     // A fluid of eight cells has the same limits, and costs nothing.
-    build(&Air { origin_m: [0.0; 3], size_m: [1.0; 3], cells: [2; 3], ..air.clone() }, None).map(drop)
+    builder(&Air { origin_m: [0.0; 3], size_m: [1.0; 3], cells: [2; 3], ..air.clone() }, None).build().map(drop)
 }
 
 /// Takes over what can change while the air moves.

@@ -19,6 +19,7 @@
 //! `lucerna::export` writes flames for other programs.
 
 mod air;
+mod airs;
 mod error;
 #[cfg(feature = "export")]
 pub mod export;

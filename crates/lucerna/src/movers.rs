@@ -54,8 +54,9 @@ impl Movers {
                 groups.push(group(MotionPath::Still));
                 groups.len() - 1
             }));
-            flames.push(first..first + wicks.len());
-            first += wicks.len();
+            let count = wicks.len() * fire.places().len();
+            flames.push(first..first + count);
+            first += count;
         }
         let of_mesh = scene.meshes.iter().map(|mesh| named(&mesh.motion)).collect();
         Self { groups, of_fire, of_mesh, of_air: named(&scene.air.follows), flames, meshes: Vec::new() }
@@ -117,23 +118,22 @@ impl Movers {
         self.place_all(flames, step_s)
     }
 
-    /// How fast a box of air that rests at `rest` and is at `origin` moves in the coming step, m/s, where it goes along.
+    /// How fast a box of air that rests at `rest` and is at `origin` moves in the coming step, m/s, where it goes along:
+    /// the air of the scene with a motion, the air of a fire with the fire.
     pub(crate) fn air_velocity(
         &self,
+        fire: Option<usize>,
         origin: glam::Vec3,
         (rest, size): ([f32; 3], [f32; 3]),
         step_s: f32,
     ) -> Option<glam::Vec3> {
-        let pose = self.groups[self.of_air?].now;
-        let middle = glam::Vec3::from(rest) + 0.5 * glam::Vec3::from(size);
-        let target = glam::Vec3::from(rest) + pose.point(middle) - middle;
+        let pose = self.groups[fire.map_or(self.of_air, |fire| self.of_fire.get(fire).copied())?].now;
+        let rest = glam::Vec3::from(rest);
+        let middle = rest + 0.5 * glam::Vec3::from(size);
+        // What has not moved is to stay to the bit.
+        let target = if pose == Pose::REST { rest } else { rest + pose.point(middle) - middle };
         let most = glam::Vec3::splat(FASTEST_BOX_M_S);
         Some(((target - origin) / step_s).clamp(-most, most))
-    }
-
-    /// Whether the air goes along with something.
-    pub(crate) fn carries_air(&self) -> bool {
-        self.of_air.is_some()
     }
 
     /// Moves the meshes to where they are now, and says whether any has moved.

@@ -1,13 +1,14 @@
 //! The world: a scene that burns.
 
 use crate::air;
+use crate::airs::{Airs, Plan};
 use crate::error::WorldError;
 use crate::movers::Movers;
 use crate::report::{DebugLines, StepSummary};
 use lucerna_flame::{FlameSettings, Flames, Pose, Surfaces};
-use lucerna_fluid::{Combustion, Fluid};
+use lucerna_fluid::Fluid;
 use lucerna_frame::{Frame, LineVertex};
-use lucerna_scene::LoadedScene;
+use lucerna_scene::{LoadedScene, Scene};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
@@ -23,7 +24,7 @@ fn new_mesh_revision() -> u64 {
 /// A scene that burns.
 pub struct World {
     scene: LoadedScene,
-    fluid: Fluid,
+    airs: Airs,
     flames: Flames,
     movers: Movers,
     /// Time that was asked for but not yet stepped, s.
@@ -49,13 +50,13 @@ impl World {
     /// # Errors
     /// When the scene says something that is not possible; the error names the field.
     pub fn new(scene: LoadedScene) -> Result<Self, WorldError> {
-        let fluid = air::build(&scene.scene.air, burning(&scene)?)?;
-        let mut flames = Flames::new(settings(&scene)?, scene.scene.seed)?;
+        let plan = Plan::new(&scene.scene)?;
+        let mut flames = Flames::new(settings(&scene, &plan)?, scene.scene.seed)?;
         let movers = Movers::new(&scene);
         movers.start(&mut flames)?;
         let mut world = Self {
             scene,
-            fluid,
+            airs: Airs::new(plan)?,
             flames,
             movers,
             owed_s: 0.0,
@@ -75,11 +76,10 @@ impl World {
     /// # Errors
     /// When `dt_s` is negative or not finite, or the air refuses to move.
     pub fn step(&mut self, dt_s: f32) -> Result<StepSummary, WorldError> {
-        let air = &self.scene.scene.air;
         if !(0.0..=1e6).contains(&dt_s) {
             return Err(WorldError::Time { field: "dt_s", value: dt_s, allowed: "0 to 1e6" });
         }
-        let step_s = air.time_step_s;
+        let step_s = self.scene.scene.air.time_step_s;
         let owed_s = self.owed_s + f64::from(dt_s);
         // A hair of tolerance: 1/60 s asked for in `f32` is one step of 1/60 s.
         let due = (owed_s / f64::from(step_s) + 1e-4).floor();
@@ -92,17 +92,13 @@ impl World {
             let start = Instant::now();
             let time_s = self.flames.time_s() + f64::from(step_s);
             self.movers.advance(&mut self.flames, time_s, steps + 1 - done, step_s)?;
-            let rest = (air.origin_m, air.size_m);
-            if let Some(velocity) = self.movers.air_velocity(self.fluid.origin(), rest, step_s) {
-                self.fluid.set_frame_velocity(velocity)?;
-            }
-            self.flames.drive(&mut self.fluid)?;
-            air::add_row_buoyancy(&mut self.fluid, air)?;
-            let report = self.fluid.step(step_s)?;
-            summary.divergence = summary.divergence.max(report.divergence_after);
+            self.airs.carry(&self.movers, step_s)?;
+            self.flames.sources(&self.airs);
+            let divergence = self.airs.step(&self.flames, step_s)?;
+            summary.divergence = summary.divergence.max(divergence);
             summary.times.fluid_ms += ms_since(start);
             let start = Instant::now();
-            self.flames.step(&self.fluid, step_s);
+            self.flames.step(&self.airs, step_s);
             summary.times.skeletons_ms += ms_since(start);
             self.owed_s = (owed_s - f64::from(done) * f64::from(step_s)).max(0.0);
         }
@@ -139,7 +135,7 @@ impl World {
         }
         if self.debug.air_box {
             let color = [0.5, 0.5, 0.15];
-            let ends = air::edges(&self.fluid).flatten();
+            let ends = self.airs.iter().flat_map(air::edges).flatten();
             self.lines.extend(ends.map(|p| LineVertex { position: p.to_array(), color }));
         }
     }
@@ -151,19 +147,19 @@ impl World {
     /// As [`World::new`]; the world is then as it was.
     pub fn set_scene(&mut self, scene: LoadedScene) -> Result<(), WorldError> {
         let (old, new) = (&self.scene.scene, &scene.scene);
-        let settings = settings(&scene)?;
-        let same_fires = self.scene.wicks == scene.wicks && old.seed == new.seed;
-        let same_burning = burning(&self.scene)? == burning(&scene)?;
-        if same_fires && same_burning && air::same_grid(&old.air, &new.air) {
-            air::check(&new.air)?;
+        let plan = Plan::new(new)?;
+        let settings = settings(&scene, &plan)?;
+        let same_fires = self.scene.wicks == scene.wicks && stand_alike(old, new) && old.seed == new.seed;
+        if same_fires && self.airs.plan.same_grids(&plan) {
+            plan.airs.iter().try_for_each(|planned| air::check(&planned.air))?;
             self.flames.set(settings)?;
-            air::adjust(&mut self.fluid, &new.air)?;
+            self.airs.adjust(plan)?;
         } else {
-            let fluid = air::build(&new.air, burning(&scene)?)?;
+            let airs = Airs::new(plan)?;
             let mut flames = Flames::new(settings, new.seed)?;
             Movers::new(&scene).start(&mut flames)?;
             self.flames = flames;
-            self.fluid = fluid;
+            self.airs = airs;
             self.owed_s = 0.0;
             self.movers = Movers::default();
         }
@@ -185,19 +181,16 @@ impl World {
     /// Back to time zero.
     pub fn reset(&mut self) {
         // Both were made from these settings before.
-        if let Ok(Ok(flames)) = settings(&self.scene).map(|s| Flames::new(s, self.scene.scene.seed)) {
+        let settings = settings(&self.scene, &self.airs.plan);
+        if let Ok(Ok(flames)) = settings.map(|s| Flames::new(s, self.scene.scene.seed)) {
             self.flames = flames;
+        }
+        if let Ok(airs) = Airs::new(self.airs.plan.clone()) {
+            self.airs = airs;
         }
         self.movers = Movers::new(&self.scene);
         let started = self.movers.start(&mut self.flames);
         debug_assert!(started.is_ok(), "{started:?}");
-        self.fluid.reset();
-        if self.movers.carries_air()
-            && let Ok(burning) = burning(&self.scene)
-            && let Ok(fluid) = air::build(&self.scene.scene.air, burning)
-        {
-            self.fluid = fluid;
-        }
         self.owed_s = 0.0;
         self.build();
     }
@@ -224,10 +217,16 @@ impl World {
         }
     }
 
-    /// The air.
+    /// The first of [`airs`](Self::airs): the only one, where no fire has an air of its own.
     #[must_use]
     pub fn fluid(&self) -> &Fluid {
-        &self.fluid
+        lucerna_flame::Airs::air(&self.airs, 0)
+    }
+
+    /// All boxes of air: first that of the scene, where a fire burns in it, then those that fires have of their own, in
+    /// the order of the fires and their copies. There is at least one.
+    pub fn airs(&self) -> impl ExactSizeIterator<Item = &Fluid> {
+        self.airs.iter()
     }
 
     /// The flames.
@@ -236,7 +235,7 @@ impl World {
         &self.flames
     }
 
-    /// Sets a flame on fire, see [`Flames::ignite`]; flames are counted through the wicks of all fires.
+    /// Sets a flame on fire, see [`Flames::ignite`]; flames are counted through the wicks of all copies of all fires.
     ///
     /// # Errors
     /// When there is no such flame.
@@ -305,12 +304,15 @@ impl World {
     /// A hash of all state that the next step depends on.
     #[must_use]
     pub fn state_hash(&self) -> u64 {
-        let parts = [self.fluid.state_hash(), self.flames.state_hash(), self.owed_s.to_bits()];
-        parts.into_iter().chain(self.movers.asked()).fold(0xcbf2_9ce4_8422_2325, |hash, part| {
-            part.to_le_bytes()
-                .into_iter()
-                .fold(hash, |hash: u64, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
-        })
+        let parts = [self.flames.state_hash(), self.owed_s.to_bits()];
+        self.airs().map(Fluid::state_hash).chain(parts).chain(self.movers.asked()).fold(
+            0xcbf2_9ce4_8422_2325,
+            |hash, part| {
+                part.to_le_bytes()
+                    .into_iter()
+                    .fold(hash, |hash: u64, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
+            },
+        )
     }
 
     /// What to draw now.
@@ -331,13 +333,13 @@ impl World {
     }
 }
 
-/// What the air has to burn.
-fn burning(scene: &LoadedScene) -> Result<Option<Combustion>, WorldError> {
-    Ok(lucerna_flame::combustion(scene.scene.fires.iter().map(|fire| &fire.drive))?)
+/// Whether the fires of two scenes stand at the same places.
+fn stand_alike(a: &Scene, b: &Scene) -> bool {
+    a.fires.iter().map(|fire| (&fire.at, &fire.turns_deg)).eq(b.fires.iter().map(|fire| (&fire.at, &fire.turns_deg)))
 }
 
-/// One flame for each wick; checks what is not checked by flames and air.
-fn settings(scene: &LoadedScene) -> Result<Vec<FlameSettings>, WorldError> {
+/// One flame for each wick of each copy of each fire; checks what is not checked by flames and air.
+fn settings(scene: &LoadedScene, plan: &Plan) -> Result<Vec<FlameSettings>, WorldError> {
     let step_s = scene.scene.air.time_step_s;
     if !(1e-5..=10.0).contains(&step_s) {
         return Err(WorldError::Time { field: "air.time_step_s", value: step_s, allowed: "1e-5 to 10" });
@@ -353,17 +355,22 @@ fn settings(scene: &LoadedScene) -> Result<Vec<FlameSettings>, WorldError> {
             shapes: scene.wicks.iter().map(Vec::len).sum(),
         });
     }
-    let flame = |(fire, wick): (&lucerna_scene::Fire, &lucerna_flame::WickShape)| FlameSettings {
-        wick: wick.clone(),
-        drive: fire.drive,
-        life: fire.life,
-        fuel: fire.fuel.clone(),
-        skeletons: fire.skeletons.clone(),
-        surface: fire.surface,
-        shade: fire.shade,
-    };
-    let pairs = fires.iter().zip(&scene.wicks).flat_map(|(fire, wicks)| wicks.iter().map(move |w| (fire, w)));
-    Ok(pairs.map(flame).collect())
+    let mut flames = Vec::new();
+    for ((fire, wicks), airs) in fires.iter().zip(&scene.wicks).zip(&plan.of) {
+        for (place, &air) in fire.places().zip(airs) {
+            flames.extend(wicks.iter().map(|wick| FlameSettings {
+                wick: place.wick(wick),
+                drive: fire.drive,
+                life: fire.life,
+                fuel: fire.fuel.clone(),
+                skeletons: fire.skeletons.clone(),
+                surface: fire.surface,
+                shade: fire.shade,
+                air,
+            }));
+        }
+    }
+    Ok(flames)
 }
 
 fn ms_since(start: Instant) -> f64 {

@@ -50,6 +50,24 @@ pub trait Air: Sync {
     }
 }
 
+/// Several airs, such as a box for each fire; any single [`Air`] is one of all numbers.
+pub trait Airs: Sync {
+    /// What each of them is.
+    type Air: Air;
+
+    /// The air of this number, which flames name by [`FlameSettings::air`](crate::FlameSettings::air). One that does
+    /// not exist should be any other.
+    fn air(&self, number: usize) -> &Self::Air;
+}
+
+impl<A: Air> Airs for A {
+    type Air = A;
+
+    fn air(&self, _number: usize) -> &A {
+        self
+    }
+}
+
 /// Air that moves with one velocity everywhere: for tests and previews.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UniformAir {

@@ -5,6 +5,7 @@ use crate::flame::{Doings, Feed};
 use crate::{Air, Flames, Source};
 use glam::Vec3;
 use lucerna_fluid::{Fluid, FluidError, ScalarSource, Shape};
+use std::sync::PoisonError;
 
 /// Name of the scalar that holds fuel.
 const FUEL: &str = "fuel";
@@ -98,22 +99,34 @@ impl Feed {
 }
 
 impl Flames {
-    /// Moves the roots with the air and adds what they do to its coming step: forces and heat, or fuel.
+    /// Moves the roots with the only air and adds what they do to its coming step: forces and heat, or fuel.
     ///
     /// # Errors
     /// When a number is outside what the air accepts; when flames let in fuel and the air does not burn any, see
     /// [`combustion`](crate::combustion).
     pub fn drive(&mut self, fluid: &mut Fluid) -> Result<(), FluidError> {
         self.sources(fluid);
-        let Doings { sources, feeds, gas } = self.doings_mut();
-        sources.iter().try_for_each(|source| source.add_to(fluid))?;
-        if !feeds.is_empty() {
+        self.drive_air(0, fluid)
+    }
+
+    /// Adds what the roots found by [`sources`](Self::sources) do to the coming step of one of several airs. Different
+    /// airs can be driven at the same time.
+    ///
+    /// # Errors
+    /// As [`drive`](Self::drive).
+    pub fn drive_air(&self, number: usize, fluid: &mut Fluid) -> Result<(), FluidError> {
+        self.sources_in(number).try_for_each(|source| source.add_to(fluid))?;
+        for Doings { feeds, gas, .. } in self.in_air(number).map(|flame| &flame.doings) {
+            if feeds.is_empty() {
+                continue;
+            }
+            let mut gas = gas.lock().unwrap_or_else(PoisonError::into_inner);
             let fuel = fluid.scalar_id(FUEL).ok_or(FluidError::CombustionScalar { name: FUEL })?;
             let gas = gas.get_or_insert_with(|| lucerna_fluid::Source::new(Shape::Point(Vec3::ZERO)));
             gas.scalars.resize(1, ScalarSource::new(fuel));
             gas.scalars[0].scalar = fuel;
             feeds.iter().try_for_each(|feed| feed.add_to(fluid, gas))?;
         }
-        self.stir(fluid)
+        self.in_air(number).try_for_each(|flame| flame.stir(fluid))
     }
 }

@@ -1,7 +1,7 @@
-//! All flames that burn in the same air, and what is drawn of them.
+//! All flames of a world, and what is drawn of them.
 
-use crate::air::Air;
-use crate::flame::{Doings, Flame, Source};
+use crate::air::Airs;
+use crate::flame::{Flame, Source};
 use crate::fuel::FuelFunction;
 use crate::light::{FlameLight, LightGroup, OwnLight, add_light};
 use crate::random::{Fnv, hash};
@@ -23,10 +23,11 @@ fn new_grid_revision() -> u64 {
     NEXT.fetch_add(1, Ordering::Relaxed)
 }
 
-/// Flames that burn in the same air.
+/// Flames that burn in one air or in several.
 ///
 /// For every fixed step of the air: [`sources`](Self::sources) before it, [`step`](Self::step) after
-/// it; once a frame [`build`](Self::build), then read the slices.
+/// it; once a frame [`build`](Self::build), then read the slices. Flames are worked on in parallel; the results, and
+/// their order, do not depend on the number of threads.
 ///
 /// ```
 /// use lucerna_flame::{FlameSettings, Flames, UniformAir, WickShape};
@@ -57,7 +58,6 @@ pub struct Flames {
     seed: u64,
     time_s: f64,
     steps: u64,
-    doings: Doings,
     vertices: Vec<FlameVertex>,
     points: Vec<[f32; 4]>,
     nets: Vec<FlameNet>,
@@ -67,6 +67,8 @@ pub struct Flames {
     /// Flames over overlapping wicks share their lights; which group each flame is in.
     light_groups: Vec<LightGroup>,
     group_of: Vec<usize>,
+    /// The flames that burn in each air.
+    in_air: Vec<Vec<usize>>,
     lights: Vec<Light>,
     flame_lights: Vec<FlameLight>,
 }
@@ -86,7 +88,20 @@ impl Flames {
         if settings.len() > MAX_FLAMES {
             return Err(FlameError::Count { field: "fires.wicks", count: settings.len(), allowed: "up to 2520" });
         }
-        combustion(settings.iter().map(|settings| &settings.drive))?;
+        for (i, settings) in settings.iter().enumerate() {
+            if settings.air >= MAX_FLAMES {
+                let (field, value) = ("air", settings.air as f64);
+                return Err(FlameError::OutOfRange { field, value, allowed: "below 2520" });
+            }
+            flames.in_air.resize_with(flames.in_air.len().max(settings.air + 1), Vec::new);
+            flames.in_air[settings.air].push(i);
+        }
+        for flames in &flames.in_air {
+            combustion(flames.iter().map(|&flame| &settings[flame].drive)).map_err(|error| match error {
+                FlameError::Fuels { flame } => FlameError::Fuels { flame: flames[flame] },
+                other => other,
+            })?;
+        }
         for (i, settings) in settings.into_iter().enumerate() {
             let seed = hash(seed ^ hash(i as u64));
             let known = old.get(i).filter(|old| old.settings.wick == settings.wick);
@@ -134,18 +149,21 @@ impl Flames {
         Ok(plan)
     }
 
-    /// Moves the roots with the air and says what they do to it in the coming step.
-    pub fn sources(&mut self, air: &impl Air) -> &[Source] {
-        self.doings.sources.clear();
-        self.doings.feeds.clear();
-        for flame in &mut self.flames {
-            flame.sources(air, self.time_s, self.steps, &mut self.doings);
-        }
-        &self.doings.sources
+    /// Moves the roots with the airs and finds what they do to them in the coming step.
+    pub fn sources(&mut self, airs: &impl Airs) {
+        let (time_s, steps) = (self.time_s, self.steps);
+        self.flames.par_iter_mut().for_each(|flame| flame.find_sources(airs.air(flame.settings.air), time_s, steps));
     }
 
-    pub(crate) fn doings_mut(&mut self) -> &mut Doings {
-        &mut self.doings
+    /// What the roots of all flames in an air do to it in the coming step, in the order of the flames: their pushes
+    /// and heat.
+    pub fn sources_in(&self, air: usize) -> impl Iterator<Item = &Source> {
+        self.in_air(air).flat_map(|flame| &flame.doings.sources)
+    }
+
+    /// The flames that burn in an air.
+    pub(crate) fn in_air(&self, air: usize) -> impl Iterator<Item = &Flame> {
+        self.in_air.get(air).into_iter().flatten().map(|&flame| &self.flames[flame])
     }
 
     fn flame_mut(&mut self, flame: usize) -> Result<&mut Flame, FlameError> {
@@ -214,9 +232,9 @@ impl Flames {
         Ok(())
     }
 
-    /// Emits, carries and retires particles, after the air has made a step of `dt_s` seconds.
-    pub fn step(&mut self, air: &impl Air, dt_s: f32) {
-        self.flames.par_iter_mut().for_each(|flame| flame.step(air, dt_s));
+    /// Emits, carries and retires particles, after the airs have made a step of `dt_s` seconds.
+    pub fn step(&mut self, airs: &impl Airs, dt_s: f32) {
+        self.flames.par_iter_mut().for_each(|flame| flame.step(airs.air(flame.settings.air), dt_s));
         self.time_s += f64::from(dt_s);
         self.steps += 1;
     }

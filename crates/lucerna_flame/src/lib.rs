@@ -31,7 +31,7 @@ mod spine;
 mod surface;
 mod wick;
 
-pub use air::{Air, Gas, ROOM_K, UniformAir};
+pub use air::{Air, Airs, Gas, ROOM_K, UniformAir};
 pub use burning::{Drive, FuelKind, Rate, combustion};
 pub use error::FlameError;
 pub use flame::Source;

@@ -205,6 +205,8 @@ pub struct FlameSettings {
     pub surface: SurfaceGrid,
     /// How it glows.
     pub shade: lucerna_frame::FlameShade,
+    /// Which of the airs it burns in, where there are several.
+    pub air: usize,
 }
 
 impl FlameSettings {
@@ -219,6 +221,7 @@ impl FlameSettings {
             skeletons: Skeletons::default(),
             surface: SurfaceGrid::default(),
             shade: lucerna_frame::FlameShade::default(),
+            air: 0,
         }
     }
 }

@@ -119,8 +119,8 @@ impl Flame {
         self.roots = roots;
     }
 
-    /// Takes the air about moving roots along.
-    fn stir(&self, fluid: &mut Fluid) -> Result<(), FluidError> {
+    /// Takes the air about moving roots along, within a twentieth of a second.
+    pub(crate) fn stir(&self, fluid: &mut Fluid) -> Result<(), FluidError> {
         let reach_m = (2.0 * self.settings.skeletons.width_m).min(0.25 * fluid.size_m().min_element());
         let (low, high) = Air::bounds(fluid);
         for (speed, lead) in self.carried.speeds.iter().zip(&self.roots.leads) {
@@ -158,15 +158,6 @@ impl Flames {
     #[must_use]
     pub fn pose(&self, flame: usize) -> Pose {
         self.flames.get(flame).map_or(Pose::REST, |flame| flame.carried.pose)
-    }
-
-    /// Adds what moving roots do to the coming step of the air: within a twentieth of a second they take the air about
-    /// them along.
-    ///
-    /// # Errors
-    /// When a number is outside what the air accepts.
-    pub fn stir(&self, fluid: &mut Fluid) -> Result<(), FluidError> {
-        self.flames.iter().try_for_each(|flame| flame.stir(fluid))
     }
 }
 

@@ -90,6 +90,19 @@ impl FluidBatch {
     /// # Errors
     /// A length of step out of its range; nothing has changed then.
     pub fn step(&mut self, dt_s: f32) -> Result<&[StepReport], FluidError> {
+        self.step_where(dt_s, |_| true)
+    }
+
+    /// As [`FluidBatch::step`], but only the boxes whose index `is_due`; the others stay as they are, with the reports
+    /// of their last step.
+    ///
+    /// # Errors
+    /// A length of step out of its range; nothing has changed then.
+    pub fn step_where(
+        &mut self,
+        dt_s: f32,
+        is_due: impl Fn(usize) -> bool + Sync + Send,
+    ) -> Result<&[StepReport], FluidError> {
         check_dt(dt_s)?;
         let Some(first) = self.fluids.first() else { return Ok(&[]) };
         let threads = rayon::current_num_threads();
@@ -98,19 +111,21 @@ impl FluidBatch {
             self.scratch.resize_with(threads, || Mutex::new(Scratch::new(&first.grid)));
         }
         let (cells, scratch) = (self.cells, &self.scratch);
-        let step = |thread: usize, fluids: &mut [Fluid], reports: &mut [StepReport], is_shared: bool| {
+        let step = |thread: usize, from: usize, fluids: &mut [Fluid], reports: &mut [StepReport], is_shared: bool| {
             let mut scratch = scratch[thread].lock().unwrap_or_else(PoisonError::into_inner);
-            for (fluid, report) in fluids.iter_mut().zip(reports) {
-                *report = step_one(fluid, &mut scratch, cells, dt_s, is_shared);
+            for (index, (fluid, report)) in fluids.iter_mut().zip(reports).enumerate() {
+                if is_due(from + index) {
+                    *report = step_one(fluid, &mut scratch, cells, dt_s, is_shared);
+                }
             }
         };
         if threads == 1 || (is_large && self.fluids.len() < threads) {
             // Few boxes that are large: one after the other, each on all threads.
-            step(0, &mut self.fluids, &mut self.reports, true);
+            step(0, 0, &mut self.fluids, &mut self.reports, true);
         } else {
             let chunks = self.fluids.par_chunks_mut(CHUNK).zip(self.reports.par_chunks_mut(CHUNK));
-            chunks.for_each(|(fluids, reports)| {
-                step(rayon::current_thread_index().unwrap_or(0), fluids, reports, false);
+            chunks.enumerate().for_each(|(chunk, (fluids, reports))| {
+                step(rayon::current_thread_index().unwrap_or(0), chunk * CHUNK, fluids, reports, false);
             });
         }
         Ok(&self.reports)

@@ -2,13 +2,13 @@
 
 use crate::assets::{self, Assets};
 use crate::validate::{self, Check};
-use crate::{LoadedScene, Scene, SceneError, import, wick};
+use crate::{LoadedScene, Scene, SceneError, import, place, wick};
 use ron::extensions::Extensions;
 use ron::ser::PrettyConfig;
 use std::path::Path;
 
 /// Largest number of flames in all fires of a scene.
-pub(crate) const MAX_FLAMES: usize = 256;
+pub(crate) const MAX_FLAMES: usize = lucerna_flame::MAX_FLAMES;
 
 /// Largest number of vertices of all opaque meshes of a scene.
 const MAX_SCENE_VERTICES: usize = 8_000_000;
@@ -108,12 +108,12 @@ fn assemble(scene: Scene, base_dir: &Path, file: Option<&Path>) -> Result<Loaded
     let mut vertices = 0;
     for (index, source) in scene.meshes.iter().enumerate() {
         let mesh = import::opaque_mesh(&assets.resolve(&source.file), &source.placement())?;
-        vertices += mesh.vertices.len();
+        vertices += mesh.vertices.len() * source.at.len().max(1);
         if vertices > MAX_SCENE_VERTICES {
             let field = format!("the number of vertices up to meshes[{index}]");
             return Err(check.fail(field, vertices, format!("at most {MAX_SCENE_VERTICES}")));
         }
-        meshes.push(mesh);
+        meshes.push(if source.at.is_empty() { mesh } else { place::copies(&mesh, &source.at, &source.turns_deg) });
     }
     Ok(LoadedScene { scene, wicks, meshes })
 }

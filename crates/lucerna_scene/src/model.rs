@@ -1,5 +1,6 @@
 //! The scene as it stands in a file.
 
+use crate::place::FireAir;
 use crate::{Motion, WickSource};
 use glam::{EulerRot, Quat};
 use lucerna_flame::{Drive, Fuel, Life, Skeletons, SurfaceGrid};
@@ -149,8 +150,17 @@ impl Air {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Fire {
-    /// The wicks; each carries a flame, or several where it is a ring or has several parts.
+    /// The wicks, from where the fire stands; each carries a flame, or several where it is a ring or has several parts.
     pub wicks: Vec<WickSource>,
+    /// Where the fire stands, m; nothing is one fire at the origin.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub at: Vec<[f32; 3]>,
+    /// How far the fire is turned about y at each place, degrees; nothing is not at all.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub turns_deg: Vec<f32>,
+    /// The box of air that each copy of the fire has of its own; nothing is the air of the scene.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub air: Option<FireAir>,
     /// How it drives the air, and what burns.
     #[serde(default)]
     pub drive: Drive,
@@ -192,12 +202,20 @@ pub struct MeshSource {
     /// The motion that carries it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub motion: Option<String>,
+    /// Where copies of it stand, m, each with `position_m` on top; nothing is one at the origin.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub at: Vec<[f32; 3]>,
+    /// How far each copy is turned about y, degrees; nothing is not at all.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub turns_deg: Vec<f32>,
 }
 
 impl MeshSource {
     /// A file as it stands.
     pub fn new(file: impl Into<PathBuf>) -> Self {
-        Self { file: file.into(), position_m: [0.0; 3], rotation_deg: [0.0; 3], scale: 1.0, motion: None }
+        let (position_m, rotation_deg) = ([0.0; 3], [0.0; 3]);
+        let (motion, at, turns_deg) = (None, Vec::new(), Vec::new());
+        Self { file: file.into(), position_m, rotation_deg, scale: 1.0, motion, at, turns_deg }
     }
 
     pub(crate) fn placement(&self) -> Placement {
@@ -239,8 +257,8 @@ pub(crate) fn is_zero(vector: &[f32; 3]) -> bool {
 pub struct LoadedScene {
     /// The scene as it stands in the file.
     pub scene: Scene,
-    /// The shapes of every fire, in the order of its wicks (outer: fires, inner: one for each flame): a wick that is
-    /// a ring or has several parts has several.
+    /// The shapes of every fire, in the order of its wicks (outer: fires, inner: one for each flame), from where the fire
+    /// stands: a wick that is a ring or has several parts has several.
     pub wicks: Vec<Vec<lucerna_flame::WickShape>>,
     /// The opaque meshes in world space.
     pub meshes: Vec<lucerna_frame::OpaqueMesh>,

@@ -50,13 +50,20 @@ pub fn apply_preset(scene: &mut Scene, name: &str) -> Result<(), SceneError> {
 
 fn paper(scene: &mut Scene) {
     let air = &mut scene.air;
-    // The authors' box is a cube: the same floor and middle, wide enough for what was there.
-    let side = air.size_m.into_iter().fold(0.0, f32::max);
-    for axis in [0, 2] {
-        air.origin_m[axis] += 0.5 * (air.size_m[axis] - side);
+    let cube = |origin_m: &mut [f32; 3], size_m: &mut [f32; 3], cells: &mut [u32; 3]| {
+        // The authors' box is a cube: the same floor and middle, wide enough for what was there.
+        let side = size_m.iter().copied().fold(0.0, f32::max);
+        for axis in [0, 2] {
+            origin_m[axis] += 0.5 * (size_m[axis] - side);
+        }
+        *size_m = [side; 3];
+        *cells = [15; 3];
+    };
+    cube(&mut air.origin_m, &mut air.size_m, &mut air.cells);
+    for own in scene.fires.iter_mut().filter_map(|fire| fire.air.as_mut()) {
+        cube(&mut own.origin_m, &mut own.size_m, &mut own.cells);
+        (own.sides, own.vorticity_confinement, own.cooling_per_s) = (None, None, None);
     }
-    air.size_m = [side; 3];
-    air.cells = [15; 3];
     air.pressure = Pressure::Direct;
     air.sides = AirSides::Closed;
     air.cooling_per_s = 0.0;
@@ -89,7 +96,7 @@ fn paper(scene: &mut Scene) {
         // About the 400 to 570 vertices a surface that they draw.
         fire.surface = SurfaceGrid { around: 24, up: 20, tip_softness: 0.9 };
     }
-    let single = scene.fires.iter().map(|fire| fire.wicks.len()).sum::<usize>() == 1;
+    let single = scene.fires.iter().map(|fire| fire.wicks.len() * fire.places().len()).sum::<usize>() == 1;
     let look = &mut scene.look;
     look.shading = Shading::Shell;
     look.transparency = Transparency::Peeled;
@@ -104,9 +111,11 @@ fn paper(scene: &mut Scene) {
 }
 
 fn draft(scene: &mut Scene) {
-    let most = scene.air.cells.into_iter().max().unwrap_or(DRAFT_CELLS);
-    if most > DRAFT_CELLS {
-        scene.air.cells = scene.air.cells.map(|cells| (cells * DRAFT_CELLS / most).max(2));
+    for grid in grids(scene) {
+        let most = grid.iter().copied().max().unwrap_or(DRAFT_CELLS);
+        if most > DRAFT_CELLS {
+            *grid = grid.map(|cells| (cells * DRAFT_CELLS / most).max(2));
+        }
     }
     for fire in &mut scene.fires {
         fire.surface.around = fire.surface.around.min(16);
@@ -119,10 +128,12 @@ fn draft(scene: &mut Scene) {
 }
 
 fn fine(scene: &mut Scene) {
-    let most = scene.air.cells.into_iter().max().unwrap_or(FINE_CELLS);
-    let target = (2 * most).min(FINE_CELLS);
-    if most < target {
-        scene.air.cells = scene.air.cells.map(|cells| cells * target / most);
+    for grid in grids(scene) {
+        let most = grid.iter().copied().max().unwrap_or(FINE_CELLS);
+        let target = (2 * most).min(FINE_CELLS);
+        if most < target {
+            *grid = grid.map(|cells| cells * target / most);
+        }
     }
     for fire in &mut scene.fires {
         fire.surface.around = fire.surface.around.max(64);
@@ -132,6 +143,12 @@ fn fine(scene: &mut Scene) {
     scene.look.volume_steps = scene.look.volume_steps.max(16);
     scene.look.samples = 4;
     keep_debug_view(&mut scene.look);
+}
+
+/// The cells of every air.
+fn grids(scene: &mut Scene) -> impl Iterator<Item = &mut [u32; 3]> {
+    let own = scene.fires.iter_mut().filter_map(|fire| fire.air.as_mut()).map(|air| &mut air.cells);
+    std::iter::once(&mut scene.air.cells).chain(own)
 }
 
 /// A debug view of a layer or glow level that is gone falls back to the picture.

@@ -4,7 +4,7 @@ use crate::assets::Assets;
 use crate::import;
 use crate::model::{Placement, is_zero, one};
 use crate::validate::Check;
-use crate::{Scene, SceneError};
+use crate::{Fire, Scene, SceneError};
 use glam::Vec3;
 use lucerna_flame::WickShape;
 use lucerna_nurbs::{Curve, Spacing};
@@ -121,10 +121,10 @@ pub(crate) fn shapes(check: &Check<'_>, scene: &Scene, assets: Assets<'_>) -> Re
         let mut shapes = Vec::with_capacity(fire.wicks.len());
         for (w, wick) in fire.wicks.iter().enumerate() {
             let field = format!("fires[{f}].wicks[{w}]");
-            let linear = linear_wicks(check, scene, &field, wick, assets)?;
-            count += linear.len();
+            let linear = linear_wicks(check, (scene, fire), &field, wick, assets)?;
+            count += linear.len() * fire.places().len();
             if count > crate::load::MAX_FLAMES {
-                let counted = format!("the number of parts and arcs of all wicks up to {field}");
+                let counted = format!("the number of parts and arcs of all copies of all wicks up to {field}");
                 return Err(check.fail(counted, count, format!("at most {}", crate::load::MAX_FLAMES)));
             }
             stays_inside(check, scene, f, &field, &linear)?;
@@ -145,7 +145,8 @@ fn stays_inside(
 ) -> Result<(), SceneError> {
     let Some(name) = &scene.fires[fire].motion else { return Ok(()) };
     let Some(motion) = scene.motions.iter().find(|motion| motion.name == *name) else { return Ok(()) };
-    if scene.air.follows.as_ref() == Some(name) {
+    let fire = &scene.fires[fire];
+    if fire.air.is_some() || scene.air.follows.as_ref() == Some(name) {
         return Ok(());
     }
     let (from_s, to_s) = motion.path.times_s();
@@ -154,8 +155,9 @@ fn stays_inside(
         let pose = motion.path.pose(time_s);
         for shape in wicks {
             let (WickShape::Polyline { points, .. } | WickShape::Vertices(points)) = shape;
-            for point in points.iter().step_by(points.len().div_ceil(64)) {
-                let moved = pose.point((*point).into()).to_array();
+            let few = || points.iter().step_by(points.len().div_ceil(64));
+            for placed in fire.places().flat_map(|place| few().map(move |point| place.point(*point))) {
+                let moved = pose.point(placed.into()).to_array();
                 let field = format!("{field} at {time_s:.2} s of its motion");
                 crate::validate::inside_air(check, &scene.air, &field, moved)?;
             }
@@ -166,7 +168,7 @@ fn stays_inside(
 
 fn linear_wicks(
     check: &Check<'_>,
-    scene: &Scene,
+    (scene, fire): (&Scene, &Fire),
     field: &str,
     wick: &WickSource,
     assets: Assets<'_>,
@@ -196,9 +198,7 @@ fn linear_wicks(
     let mut linear = Vec::with_capacity(whole.len());
     for shape in whole {
         let (WickShape::Polyline { points, .. } | WickShape::Vertices(points)) = &shape;
-        for point in points {
-            crate::validate::inside_air(check, &scene.air, field, *point)?;
-        }
+        crate::validate::wick_inside_air(check, &scene.air, fire, field, points)?;
         // What faces connect is one part, however far its vertices are from one another.
         let gap_m = gap_m.unwrap_or_else(|| 2.0 * diagonal(points).max(1e-3));
         let wicks = shape

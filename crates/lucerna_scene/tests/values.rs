@@ -5,7 +5,7 @@ mod common;
 use common::smallest;
 use lucerna_flame::{FuelDistribution, Swing};
 use lucerna_frame::{Blur, DebugView, GlowLevel, Transparency};
-use lucerna_scene::{MeshSource, Pressure, Scene, WickSource, validate};
+use lucerna_scene::{FireAir, MeshSource, Pressure, Scene, WickSource, validate};
 
 #[track_caller]
 fn refused(edit: impl FnOnce(&mut Scene), expected: &str) {
@@ -86,9 +86,9 @@ fn wicks() {
     refused(
         |s| {
             s.fires[0].wicks = vec![s.fires[0].wicks[0].clone(); 60];
-            s.fires = vec![s.fires[0].clone(); 5];
+            s.fires[0].at = vec![[0.0; 3]; 50];
         },
-        "the number of wicks of all fires is 300: must be at most 256",
+        "the number of wicks of all copies of all fires is 3000: must be at most 2520",
     );
     refused(
         |s| s.fires[0].wicks[0] = polyline(vec![[0.0, 3.0, 0.0]], 0.1),
@@ -117,6 +117,48 @@ fn wicks() {
     refused(
         |s| s.meshes.push(MeshSource { scale: 0.0, ..MeshSource::new("a.obj") }),
         "meshes[0].scale is 0: must be 0.000001 to 1000000",
+    );
+}
+
+#[test]
+fn copies() {
+    let own = |origin_m, size_m, cells| {
+        let (sides, vorticity_confinement, cooling_per_s) = (None, None, None);
+        Some(FireAir { origin_m, size_m, cells, sides, vorticity_confinement, cooling_per_s })
+    };
+    refused(|s| s.fires[0].at = vec![[0.0, f32::NAN, 0.0]], "fires[0].at[0][1] is NaN: must be -100000 to 100000");
+    refused(
+        |s| s.fires[0].at = vec![[0.0; 3], [3.0, 0.0, 0.0]],
+        "fires[0].wicks[0].points[0] is at (3, 0, 0): must be inside the air, from (-1, -1, -1) to (1, 1, 1)",
+    );
+    refused(|s| s.fires[0].at = vec![[0.0; 3]; 4097], "the number of fires[0].at is 4097: must be at most 4096");
+    refused(
+        |s| s.fires[0].turns_deg = vec![10.0, 20.0],
+        "the number of fires[0].turns_deg is 2: must be none, or 1: one for each place",
+    );
+    refused(|s| s.fires[0].turns_deg = vec![400.0], "fires[0].turns_deg[0] is 400: must be -360 to 360");
+    refused(
+        |s| s.fires[0].air = own([0.5; 3], [0.1; 3], [4; 3]),
+        "fires[0].wicks[0].points[0] is at (0, 0, 0): must be inside the air, from (0.5, 0.5, 0.5) to (0.6, 0.6, 0.6)",
+    );
+    refused(
+        |s| s.fires[0].air = own([-1.0; 3], [2.0; 3], [4, 300, 4]),
+        "fires[0].air.cells[1] is 300: must be 2 to 256",
+    );
+    refused(
+        |s| s.fires[0].air = own([-1.0; 3], [2.0, 0.0, 2.0], [4; 3]),
+        "fires[0].air.size_m[1] is 0: must be above 0 and at most 1000",
+    );
+    refused(
+        |s| {
+            s.fires[0].air = own([-1.0; 3], [2.0; 3], [150; 3]);
+            s.fires[0].at = vec![[0.0; 3]; 10];
+        },
+        "the number of cells of all copies of fires[0].air.cells is 33750000: must be at most 32000000",
+    );
+    refused(
+        |s| s.meshes.push(MeshSource { turns_deg: vec![f32::NAN], ..MeshSource::new("a.obj") }),
+        "meshes[0].turns_deg[0] is NaN: must be -360 to 360",
     );
 }
 

@@ -173,11 +173,11 @@ fn impossible_wicks_are_refused_by_field() {
         }
     }
     let folder = folder("impossible_wicks_are_refused_by_field");
-    let triangle = |i: usize| format!("v 0 0 0.{i:03}\nv 0.1 0 0.{i:03}\nv 0 0.001 0.{i:03}\nf -3 -2 -1\n");
-    let many: String = (0..300).map(triangle).collect();
+    let triangle = |i: usize| format!("v 0 0 0.{i:04}\nv 0.1 0 0.{i:04}\nv 0 0.001 0.{i:04}\nf -3 -2 -1\n");
+    let many: String = (0..2600).map(triangle).collect();
     let error = message(&folder, with_wick(&folder, "many.obj", many.as_bytes()));
     println!("{error}");
-    assert!(error.contains("256") && error.contains("fires[0].wicks[0]"), "{error}");
+    assert!(error.contains("2520") && error.contains("fires[0].wicks[0]"), "{error}");
     assert_eq!(smallest().fires.len(), 1);
 }
 

@@ -38,7 +38,7 @@ pub fn is_builtin(name: &str) -> bool {
 /// The loaded scene with other parameters, checked. Files are read again only where wicks or meshes
 /// changed, or the box of air that the wicks of files must lie in.
 pub fn with_parameters(loaded: &LoadedScene, scene: Scene, base_dir: &Path) -> Result<LoadedScene> {
-    let wicks = |scene: &Scene| scene.fires.iter().map(|fire| fire.wicks.clone()).collect::<Vec<_>>();
+    let wicks = |scene: &Scene| scene.fires.iter().map(wicks_and_places).collect::<Vec<_>>();
     let (air, old) = (&scene.air, &loaded.scene.air);
     let moved = (air.origin_m, air.size_m) != (old.origin_m, old.size_m);
     let from_file = |fire: &Fire| fire.wicks.iter().any(|wick| matches!(wick, WickSource::Mesh { .. }));
@@ -48,6 +48,11 @@ pub fn with_parameters(loaded: &LoadedScene, scene: Scene, base_dir: &Path) -> R
     }
     lucerna::scene::validate(&scene)?;
     Ok(LoadedScene { scene, wicks: loaded.wicks.clone(), meshes: loaded.meshes.clone() })
+}
+
+/// What decides which files of wicks are read, and where their wicks are.
+fn wicks_and_places(fire: &Fire) -> impl PartialEq + use<> {
+    (fire.wicks.clone(), fire.at.clone(), fire.turns_deg.clone(), fire.air)
 }
 
 /// Whether two scenes differ in what burns, rather than only in how it is looked at.

@@ -89,6 +89,8 @@ pub(crate) struct Flame {
     pub(crate) surface: Surface,
     pub(crate) free: Vec<Free>,
     pub(crate) body: Vec3,
+    /// What the roots do to the air in the coming step.
+    pub(crate) doings: Doings,
 }
 
 impl Flame {
@@ -151,6 +153,7 @@ impl Flame {
             surface: Surface::default(),
             free: (0..pool.min(MAX_FREE)).map(|_| Free::new(points)).collect(),
             body: blackbody_rgb(settings.shade.temperature_k),
+            doings: Doings::default(),
             settings,
             centreline,
             roots,

@@ -5,6 +5,7 @@ use crate::air::{Air, Gas, keep_inside};
 use crate::life::Felt;
 use crate::{Drive, WickShape};
 use glam::Vec3;
+use std::sync::Mutex;
 
 /// Fuel that a stretch of the wick lets into the air during one step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -21,26 +22,28 @@ pub(crate) struct Feed {
     pub(crate) vapour_kg_m3: f32,
 }
 
-/// What the roots of a world's flames do to the air in the coming step.
+/// What the roots of a flame do to the air in the coming step.
 #[derive(Debug, Default)]
 pub(crate) struct Doings {
     pub(crate) sources: Vec<Source>,
     pub(crate) feeds: Vec<Feed>,
-    /// What lets fuel into the air; its memory is used again.
-    pub(crate) gas: Option<lucerna_fluid::Source>,
+    /// What lets fuel into the air; its memory is used again. Only one thread at a time asks for it.
+    pub(crate) gas: Mutex<Option<lucerna_fluid::Source>>,
 }
 
 impl Flame {
-    /// Moves the roots with the air and says what they do to it in the coming step.
-    pub(crate) fn sources(&mut self, air: &impl Air, time_s: f64, step: u64, out: &mut Doings) {
+    /// Moves the roots with the air and finds what they do to it in the coming step.
+    pub(crate) fn find_sources(&mut self, air: &impl Air, time_s: f64, step: u64) {
+        self.doings.sources.clear();
+        self.doings.feeds.clear();
         self.sway(air);
         if !self.fire.burns() {
             self.flow = 0.0;
             return;
         }
         match self.settings.drive {
-            Drive::RootForces => self.push(time_s, step, &mut out.sources),
-            Drive::Combustion { .. } => self.feed(time_s, step, &mut out.feeds),
+            Drive::RootForces => self.push(time_s, step),
+            Drive::Combustion { .. } => self.feed(time_s, step),
         }
     }
 
@@ -68,7 +71,7 @@ impl Flame {
     }
 
     /// Paper 003: a push at every root.
-    fn push(&mut self, time_s: f64, step: u64, out: &mut Vec<Source>) {
+    fn push(&mut self, time_s: f64, step: u64) {
         let power = self.fire.flow(1.0);
         self.flow = power;
         let s = &self.settings.skeletons;
@@ -79,7 +82,7 @@ impl Flame {
             let acceleration = power * fuel.acceleration_m_s2(share, swing);
             let beside = rows.iter().filter(|r| r.lead == i).count() as f32;
             // Half of the drive acts at the lead root, half is shared out around it.
-            out.push(Source {
+            self.doings.sources.push(Source {
                 position: self.chains.root(i),
                 acceleration_m_s2: 0.5 * acceleration,
                 reach_m: 2.0 * s.width_m,
@@ -87,7 +90,7 @@ impl Flame {
                 heat_k_s: power * (fuel.heat_k_s * (share + swing).max(0.0)).min(MAX_HEAT_K_S),
             });
             for (r, _) in rows.iter().enumerate().filter(|(_, row)| row.lead == i) {
-                out.push(Source {
+                self.doings.sources.push(Source {
                     position: self.chains.root(leads + r),
                     acceleration_m_s2: 0.5 * acceleration / beside,
                     reach_m: 2.0 * s.width_m,
@@ -100,10 +103,10 @@ impl Flame {
 
     /// Fuel from each stretch of the wick. Distributions spread the whole rate over the wick; a function of the
     /// user's is a factor on an even spread.
-    fn feed(&mut self, time_s: f64, step: u64, out: &mut Vec<Feed>) {
+    fn feed(&mut self, time_s: f64, step: u64) {
         let Drive::Combustion { fuel, .. } = self.settings.drive else { return };
         let kilowatts = self.settings.drive.power_kw().unwrap_or(0.0);
-        let (first, leads) = (out.len(), self.roots.leads.len());
+        let leads = self.roots.leads.len();
         let radius_m = match self.settings.wick {
             WickShape::Polyline { radius_m, .. } => radius_m,
             WickShape::Vertices(_) => 0.5 * self.settings.skeletons.width_m,
@@ -121,13 +124,13 @@ impl Flame {
             let wanted = length * share * (1.0 + swing).max(0.0);
             flow += wanted;
             let position = low.midpoint(high);
-            out.push(Feed { position, half, radius_m, kg_s: wanted, vapour_kg_m3: fuel.vapour_kg_m3() });
+            self.doings.feeds.push(Feed { position, half, radius_m, kg_s: wanted, vapour_kg_m3: fuel.vapour_kg_m3() });
         }
         // Swing and the function change the flow; that of the supply's last step is what is left.
         let wanted = if whole > 0.0 { flow / whole } else { 0.0 };
         self.flow = self.fire.flow(wanted);
         let kg_s = self.flow * kilowatts / fuel.gas().heat_kj_kg;
-        for feed in &mut out[first..] {
+        for feed in &mut self.doings.feeds {
             feed.kg_s *= if flow > 0.0 { kg_s / flow } else { 0.0 };
         }
     }

@@ -20,8 +20,10 @@ pub(super) fn fire(check: &Check<'_>, air: &Air, field: &str, fire: &Fire) -> Re
         let counted = format!("the number of {field}.wicks");
         return Err(check.fail(counted, fire.wicks.len(), format!("1 to {MAX_WICKS}")));
     }
+    super::copies(check, field, &fire.at, &fire.turns_deg)?;
+    super::air::of_fire(check, field, fire)?;
     for (index, source) in fire.wicks.iter().enumerate() {
-        wick(check, air, &format!("{field}.wicks[{index}]"), source)?;
+        wick(check, air, fire, &format!("{field}.wicks[{index}]"), source)?;
     }
     let life = fire.drive.check().and_then(|()| fire.life.check(&fire.drive));
     life.map_err(|error| refused(check, field, &error))?;
@@ -42,22 +44,22 @@ fn refused(check: &Check<'_>, fire: &str, error: &FlameError) -> SceneError {
     }
 }
 
-fn wick(check: &Check<'_>, air: &Air, field: &str, wick: &WickSource) -> Result<(), SceneError> {
+fn wick(check: &Check<'_>, air: &Air, fire: &Fire, field: &str, wick: &WickSource) -> Result<(), SceneError> {
     let radius = |radius_m: f32| check.within(&format!("{field}.radius_m"), radius_m, 1.0e-6..=10.0);
     match wick {
         WickSource::Polyline { points, radius_m } | WickSource::Curve { points, radius_m, .. } => {
-            wick_points(check, air, field, points)?;
+            wick_points(check, air, fire, field, points)?;
             if points.len() > 1 && points.iter().all(|point| *point == points[0]) {
                 return Err(check.fail(format!("{field}.points"), "of no length", "one point, or points that differ"));
             }
             radius(*radius_m)
         }
         WickSource::Points { points, radius_m } => {
-            wick_points(check, air, field, points)?;
+            wick_points(check, air, fire, field, points)?;
             radius(*radius_m)
         }
         WickSource::Ring { center_m, ring_m, normal, radius_m } => {
-            super::inside_air(check, air, &format!("{field}.center_m"), *center_m)?;
+            super::wick_inside_air(check, air, fire, &format!("{field}.center_m"), &[*center_m])?;
             check.within(&format!("{field}.ring_m"), *ring_m, 1.0e-5..=100.0)?;
             check.each(&format!("{field}.normal"), normal, &(-1.0e3..=1.0e3))?;
             if normal.iter().all(|x| x.abs() < 1.0e-6) {
@@ -75,13 +77,13 @@ fn wick(check: &Check<'_>, air: &Air, field: &str, wick: &WickSource) -> Result<
     }
 }
 
-fn wick_points(check: &Check<'_>, air: &Air, field: &str, points: &[[f32; 3]]) -> Result<(), SceneError> {
+fn wick_points(check: &Check<'_>, air: &Air, fire: &Fire, field: &str, points: &[[f32; 3]]) -> Result<(), SceneError> {
     if !(1..=MAX_POINTS).contains(&points.len()) {
         let counted = format!("the number of {field}.points");
         return Err(check.fail(counted, points.len(), format!("1 to {MAX_POINTS}")));
     }
     for (index, point) in points.iter().enumerate() {
-        super::inside_air(check, air, &format!("{field}.points[{index}]"), *point)?;
+        super::wick_inside_air(check, air, fire, &format!("{field}.points[{index}]"), &[*point])?;
     }
     Ok(())
 }
