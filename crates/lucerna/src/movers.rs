@@ -29,13 +29,17 @@ pub(crate) struct Movers {
     of_air: Option<usize>,
     /// The flames of each fire.
     flames: Vec<Range<usize>>,
-    /// The meshes where they are now; none where none of them moves.
+    /// The wicks that are shown, at rest, glowing; they are drawn behind the meshes of the scene.
+    wicks: Vec<OpaqueMesh>,
+    /// The flame of each of these wicks, and whether it was lit when it was drawn.
+    lit: Vec<(usize, bool)>,
+    /// The meshes and wicks where they are now; none where nothing moves and no wick is shown.
     meshes: Vec<OpaqueMesh>,
 }
 
 impl Movers {
     /// Everything at its place at time zero.
-    pub(crate) fn new(loaded: &LoadedScene) -> Self {
+    pub(crate) fn new(loaded: &LoadedScene) -> Result<Self, WorldError> {
         let scene = &loaded.scene;
         let group = |path: MotionPath| {
             let now = path.pose(0.0);
@@ -58,17 +62,39 @@ impl Movers {
             flames.push(first..first + count);
             first += count;
         }
-        let of_mesh = scene.meshes.iter().map(|mesh| named(&mesh.motion)).collect();
-        Self { groups, of_fire, of_mesh, of_air: named(&scene.air.follows), flames, meshes: Vec::new() }
+        let mut of_mesh: Vec<Option<usize>> = scene.meshes.iter().map(|mesh| named(&mesh.motion)).collect();
+        let (mut wicks, mut lit) = (Vec::new(), Vec::new());
+        for ((fire, shapes), (group, range)) in scene.fires.iter().zip(&loaded.wicks).zip(of_fire.iter().zip(&flames)) {
+            if !fire.wick.shown {
+                continue;
+            }
+            let copies = fire.places().flat_map(|place| shapes.iter().map(move |shape| place.wick(shape)));
+            for (shape, flame) in copies.zip(range.clone()) {
+                wicks.push(shape.tube(&fire.wick, scene.look.white_k)?);
+                of_mesh.push(Some(*group));
+                lit.push((flame, true));
+            }
+        }
+        let of_air = named(&scene.air.follows);
+        Ok(Self { groups, of_fire, of_mesh, of_air, flames, wicks, lit, meshes: Vec::new() })
     }
 
-    /// As `new`, but what the program has placed stays there.
-    pub(crate) fn renewed(&self, loaded: &LoadedScene) -> Self {
-        let mut next = Self::new(loaded);
+    /// As `new`, but what the program has placed stays there, and so does what has been drawn, where the scene's meshes
+    /// are still the same.
+    pub(crate) fn renewed(&self, loaded: &LoadedScene, same_meshes: bool) -> Result<Self, WorldError> {
+        let mut next = Self::new(loaded)?;
+        let goes_on = same_meshes && next.wicks == self.wicks && next.of_mesh == self.of_mesh;
+        if goes_on {
+            next.meshes.clone_from(&self.meshes);
+            next.lit.clone_from(&self.lit);
+        }
         for (group, old) in next.groups.iter_mut().zip(&self.groups) {
             (group.asked, group.now) = (old.asked, old.now);
+            if goes_on {
+                group.drawn = old.drawn;
+            }
         }
-        next
+        Ok(next)
     }
 
     /// Puts the flames where they begin.
@@ -136,16 +162,34 @@ impl Movers {
         Some(((target - origin) / step_s).clamp(-most, most))
     }
 
-    /// Moves the meshes to where they are now, and says whether any has moved.
-    pub(crate) fn draw(&mut self, rest: &[OpaqueMesh]) -> bool {
+    /// Moves the meshes to where they are now, lets the tips of wicks that burn glow, and says whether any has changed.
+    pub(crate) fn draw(&mut self, flames: &Flames, rest: &[OpaqueMesh]) -> bool {
+        let moved = self.draw_moved(rest);
+        let mut changed = moved;
+        for (i, (flame, was_lit)) in self.lit.iter_mut().enumerate() {
+            let is_lit = flames.is_lit(*flame);
+            if is_lit == *was_lit && !moved {
+                continue;
+            }
+            *was_lit = is_lit;
+            changed = true;
+            for (vertex, rest) in self.meshes[rest.len() + i].vertices.iter_mut().zip(&self.wicks[i].vertices) {
+                vertex.emission = if is_lit { rest.emission } else { [0.0; 3] };
+            }
+        }
+        changed
+    }
+
+    fn draw_moved(&mut self, rest: &[OpaqueMesh]) -> bool {
         let has_moved = |group: usize| self.groups[group].drawn != self.groups[group].now;
-        if !self.of_mesh.iter().flatten().any(|&group| has_moved(group)) {
+        let is_new = self.meshes.len() != rest.len() + self.wicks.len() && !self.wicks.is_empty();
+        if !is_new && !self.of_mesh.iter().flatten().any(|&group| has_moved(group)) {
             return false;
         }
-        if self.meshes.len() != rest.len() {
-            self.meshes = rest.to_vec();
+        if self.meshes.len() != rest.len() + self.wicks.len() {
+            self.meshes = rest.iter().chain(&self.wicks).cloned().collect();
         }
-        for ((mesh, rest), group) in self.meshes.iter_mut().zip(rest).zip(&self.of_mesh) {
+        for ((mesh, rest), group) in self.meshes.iter_mut().zip(rest.iter().chain(&self.wicks)).zip(&self.of_mesh) {
             let Some(group) = group else { continue };
             let pose = self.groups[*group].now;
             for (vertex, rest) in mesh.vertices.iter_mut().zip(&rest.vertices) {

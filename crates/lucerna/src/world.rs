@@ -52,7 +52,7 @@ impl World {
     pub fn new(scene: LoadedScene) -> Result<Self, WorldError> {
         let plan = Plan::new(&scene.scene)?;
         let mut flames = Flames::new(settings(&scene, &plan)?, scene.scene.seed)?;
-        let movers = Movers::new(&scene);
+        let movers = Movers::new(&scene)?;
         movers.start(&mut flames)?;
         let mut world = Self {
             scene,
@@ -116,7 +116,7 @@ impl World {
         let surfaces = if self.debug.wireframe { Surfaces::Vertices } else { self.surfaces };
         self.flames.set_surfaces(surfaces);
         self.flames.build();
-        if self.movers.draw(&self.scene.meshes) {
+        if self.movers.draw(&self.flames, &self.scene.meshes) {
             self.mesh_revision = new_mesh_revision();
         }
         self.draw_lines();
@@ -150,23 +150,30 @@ impl World {
         let plan = Plan::new(new)?;
         let settings = settings(&scene, &plan)?;
         let same_fires = self.scene.wicks == scene.wicks && stand_alike(old, new) && old.seed == new.seed;
-        if same_fires && self.airs.plan.same_grids(&plan) {
+        let goes_on = same_fires && self.airs.plan.same_grids(&plan);
+        let movers = if goes_on {
+            self.movers.renewed(&scene, self.scene.meshes == scene.meshes)?
+        } else {
+            Movers::new(&scene)?
+        };
+        if goes_on {
             plan.airs.iter().try_for_each(|planned| air::check(&planned.air))?;
             self.flames.set(settings)?;
             self.airs.adjust(plan)?;
         } else {
             let airs = Airs::new(plan)?;
             let mut flames = Flames::new(settings, new.seed)?;
-            Movers::new(&scene).start(&mut flames)?;
+            movers.start(&mut flames)?;
             self.flames = flames;
             self.airs = airs;
             self.owed_s = 0.0;
-            self.movers = Movers::default();
         }
-        if self.scene.meshes != scene.meshes || old.motions != new.motions {
+        let seen = |scene: &Scene| -> Vec<_> { scene.fires.iter().map(|f| (f.wick, f.motion.clone())).collect() };
+        let same_wicks = self.scene.wicks == scene.wicks && seen(old) == seen(new);
+        if self.scene.meshes != scene.meshes || old.motions != new.motions || !same_wicks {
             self.mesh_revision = new_mesh_revision();
         }
-        self.movers = self.movers.renewed(&scene);
+        self.movers = movers;
         self.scene = scene;
         self.build();
         Ok(())
@@ -188,9 +195,12 @@ impl World {
         if let Ok(airs) = Airs::new(self.airs.plan.clone()) {
             self.airs = airs;
         }
-        self.movers = Movers::new(&self.scene);
-        let started = self.movers.start(&mut self.flames);
-        debug_assert!(started.is_ok(), "{started:?}");
+        // They were placed so before.
+        if let Ok(movers) = Movers::new(&self.scene)
+            && movers.start(&mut self.flames).is_ok()
+        {
+            self.movers = movers;
+        }
         self.owed_s = 0.0;
         self.build();
     }

@@ -1,8 +1,9 @@
-//! Fires that move: along a scene's motion, where the program puts them, and in boxes of air that go along.
+//! Fires that move, and their wicks: along a scene's motion, where the program puts them, and in boxes of air that go along.
 
 use glam::{Quat, Vec3};
 use lucerna::World;
 use lucerna::flame::Pose;
+use lucerna::flame::WickLook;
 use lucerna::scene::{LoadedScene, Motion, MotionPath, Scene};
 
 fn scene(name: &str) -> Scene {
@@ -126,4 +127,40 @@ fn a_box_of_air_goes_along_with_a_fire_that_is_carried_far() {
     assert!(flame.x > 0.75 && flame.x < 1.0 && flame.y > 0.03, "it burns on, a little behind: {flame}");
     world.reset();
     assert_eq!(world.fluid().origin(), rest);
+}
+
+#[test]
+fn wicks_are_drawn_where_they_are_shown_and_move_with_their_fire() {
+    let mut scene = scene("candle");
+    let meshes = scene.meshes.len();
+    scene.fires[0].wick = WickLook::default();
+    let hidden = world(scene.clone());
+    assert_eq!(hidden.frame().meshes.len(), meshes);
+    scene.fires[0].wick.shown = true;
+    let shown = LoadedScene::from_scene(scene.clone(), "".as_ref()).expect("a scene");
+    let mut world = World::new(shown.clone()).expect("a world");
+    let tube = world.frame().meshes[meshes].clone();
+    let top = tube.vertices.iter().max_by(|a, b| a.position[1].total_cmp(&b.position[1])).expect("vertices");
+    println!("the wick's tip is at {} m and emits {:?}", top.position[1], top.emission);
+    assert!(tube.vertices.iter().any(|v| v.emission[0] > 0.004) && (0.007..0.0095).contains(&top.position[1]));
+    let way = Vec3::new(0.01, 0.0, 0.0);
+    world.place(0, Pose { translation: way, ..Pose::REST }).expect("placed");
+    world.step(1.0 / 60.0).expect("a step");
+    let moved = world.frame().meshes[meshes].vertices[40].position;
+    assert!((Vec3::from(moved) - Vec3::from(tube.vertices[40].position) - way).length() < 1e-6);
+    // The glow goes out with the flame, and comes back with it.
+    let glow = |world: &World| world.frame().meshes[meshes].vertices.iter().map(|v| v.emission[0]).fold(0.0, f32::max);
+    world.extinguish(0).expect("a flame");
+    world.step(1.0 / 60.0).expect("a step");
+    assert_eq!(glow(&world), 0.0);
+    world.ignite(0).expect("a flame");
+    world.step(1.0 / 60.0).expect("a step");
+    assert!(glow(&world) > 0.004);
+    let revision = world.frame().mesh_revision;
+    scene.fires[0].wick.shown = false;
+    world.set_scene(LoadedScene::from_scene(scene, "".as_ref()).expect("a scene")).expect("taken over");
+    assert_eq!(world.frame().meshes.len(), meshes);
+    assert_ne!(world.frame().mesh_revision, revision);
+    world.set_scene(shown).expect("taken over");
+    assert_eq!(world.frame().meshes.len(), meshes + 1);
 }

@@ -42,4 +42,4 @@ pub use params::{FlameSettings, Fuel, FuelDistribution, FuelForm, Skeletons, Sur
 pub use place::Pose;
 pub use roots::{LeadRoot, PeripheralRoot, Roots, lead_of_row};
 pub use surface::{ControlNet, Surfaces};
-pub use wick::{Centreline, MAX_WICK_POINTS};
+pub use wick::{Centreline, MAX_WICK_POINTS, WickLook};

@@ -20,6 +20,20 @@ embedded!(
     "torch.obj",
     "torch_wall.obj",
     "torch_swung.ron",
+    "oil_lamp.ron",
+    "chandelier.ron",
+    "ring_burner.ron",
+    "line_burner.ron",
+    "wind.ron",
+    "vessels.mtl",
+    "oil_lamp.obj",
+    "table.obj",
+    "chandelier.obj",
+    "hall.obj",
+    "ring_burner.obj",
+    "line_burner.obj",
+    "fire_bowl.obj",
+    "yard.obj",
     "campfire.ron",
     "campfire.mtl",
     "campfire_logs.obj",
@@ -28,7 +42,8 @@ embedded!(
     "campfire_ground.obj",
 );
 
-const NAMES: &[&str] = &["candle", "torch", "torch_swung", "campfire"];
+const NAMES: &[&str] =
+    &["candle", "oil_lamp", "chandelier", "torch", "torch_swung", "campfire", "ring_burner", "line_burner", "wind"];
 
 /// The names of the built-in scenes.
 #[must_use]

@@ -3,7 +3,7 @@
 use crate::place::FireAir;
 use crate::{Motion, WickSource};
 use glam::{EulerRot, Quat};
-use lucerna_flame::{Drive, Fuel, Life, Skeletons, SurfaceGrid};
+use lucerna_flame::{Drive, Fuel, Life, Skeletons, SurfaceGrid, WickLook};
 use lucerna_frame::{Camera, FlameShade, Look};
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -179,6 +179,9 @@ pub struct Fire {
     /// How it glows.
     #[serde(default)]
     pub shade: FlameShade,
+    /// How its wicks look.
+    #[serde(default)]
+    pub wick: WickLook,
     /// The motion that carries it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub motion: Option<String>,

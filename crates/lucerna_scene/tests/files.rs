@@ -57,11 +57,11 @@ fn files_that_are_not_scenes() {
 fn names_that_are_unknown() {
     assert_eq!(
         builtin("bonfire").unwrap_err().to_string(),
-        "there is no scene named `bonfire`: must be candle, torch, torch_swung, campfire"
+        "there is no scene named `bonfire`: must be candle, oil_lamp, chandelier, torch, torch_swung, campfire, ring_burner, line_burner, wind"
     );
     assert_eq!(
         open("bonfire").unwrap_err().to_string(),
-        "there is no scene named `bonfire`: must be candle, torch, torch_swung, campfire, or the path of a scene file"
+        "there is no scene named `bonfire`: must be candle, oil_lamp, chandelier, torch, torch_swung, campfire, ring_burner, line_burner, wind, or the path of a scene file"
     );
     let mut scene = smallest();
     assert_eq!(

@@ -5,6 +5,9 @@
 
 mod mesh;
 mod parts;
+mod tube;
+
+pub use tube::WickLook;
 
 use crate::{FlameError, WickShape};
 use glam::Vec3;

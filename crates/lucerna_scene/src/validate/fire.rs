@@ -3,7 +3,7 @@
 use super::{Check, placed};
 use crate::model::Placement;
 use crate::{Air, Fire, SceneError, WickSource};
-use lucerna_flame::{FlameError, Fuel, FuelDistribution, Skeletons, SurfaceGrid, Swing};
+use lucerna_flame::{FlameError, Fuel, FuelDistribution, Skeletons, SurfaceGrid, Swing, WickLook};
 use lucerna_frame::FlameShade;
 
 /// Most wicks of one fire.
@@ -30,7 +30,16 @@ pub(super) fn fire(check: &Check<'_>, air: &Air, field: &str, fire: &Fire) -> Re
     fuel(check, &format!("{field}.fuel"), &fire.fuel)?;
     skeletons(check, &format!("{field}.skeletons"), &fire.skeletons)?;
     surface(check, &format!("{field}.surface"), &fire.surface)?;
-    shade(check, &format!("{field}.shade"), &fire.shade)
+    shade(check, &format!("{field}.shade"), &fire.shade)?;
+    wick_look(check, &format!("{field}.wick"), &fire.wick)
+}
+
+fn wick_look(check: &Check<'_>, field: &str, look: &WickLook) -> Result<(), SceneError> {
+    if let Some(radius_m) = look.radius_m {
+        check.within(&format!("{field}.radius_m"), radius_m, 1.0e-6..=10.0)?;
+    }
+    check.each(&format!("{field}.char_color"), &look.char_color, &(0.0..=1.0))?;
+    check.within(&format!("{field}.tip_k"), look.tip_k, 500.0..=3000.0)
 }
 
 /// What a flame says of its own settings, as a scene says it.
