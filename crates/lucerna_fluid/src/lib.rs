@@ -37,6 +37,7 @@ mod builder;
 mod burn;
 mod combustion;
 mod confinement;
+mod conserve;
 mod density;
 mod error;
 mod field;

@@ -3,6 +3,7 @@
 use crate::advect::Carrier;
 use crate::combustion::Reactor;
 use crate::confinement::Confinement;
+use crate::conserve::Conserver;
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::parallel::Partial;
@@ -17,6 +18,7 @@ pub(crate) struct Scratch {
     /// One of the packed scalars.
     pub(crate) scalar: Field,
     pub(crate) carrier: Carrier,
+    pub(crate) conserver: Conserver,
     pub(crate) confinement: Confinement,
     /// Of viscosity and conduction that vary.
     pub(crate) coefficients: Coefficients,
@@ -36,6 +38,7 @@ impl Scratch {
             next_temperature: Field::at_centres(grid),
             scalar: Field::at_centres(grid),
             carrier: Carrier::default(),
+            conserver: Conserver::default(),
             confinement: Confinement::default(),
             coefficients: Coefficients::default(),
             pressure: pressure::Spare::new(grid),

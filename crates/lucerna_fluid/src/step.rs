@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use crate::advect::{pack, unpack};
+use crate::advect::{Advection, pack, unpack};
 use crate::density::{self, Density};
 use crate::fluid::Fluid;
 use crate::forces;
@@ -16,15 +16,15 @@ use crate::source::share_from_kelvin;
 use crate::viscosity::{Diffusivity, Held, diffuse_scalar, diffuse_velocity};
 
 /// Takes the time of each stage. There is no clock on bare WebAssembly: all times are zero.
-struct Clock(Option<Instant>);
+pub(crate) struct Clock(Option<Instant>);
 
 impl Clock {
-    fn start() -> Self {
+    pub(crate) fn start() -> Self {
         Self((!cfg!(target_arch = "wasm32")).then(Instant::now))
     }
 
     /// Time since the last call, ms.
-    fn lap_ms(&mut self) -> f32 {
+    pub(crate) fn lap_ms(&mut self) -> f32 {
         let Some(before) = self.0 else { return 0.0 };
         let now = Instant::now();
         self.0 = Some(now);
@@ -41,6 +41,11 @@ impl Fluid {
             let state = &mut self.state;
             solids.fill(&mut state.velocity, &mut state.temperature, &mut state.packs);
         }
+        if self.settings.advection == Advection::Conservative
+            && let Some(report) = self.advance_conserving(scratch, dt_s)
+        {
+            return report;
+        }
         self.expand(scratch);
         let (carried_out_kw, between) = self.carry_heat(scratch, dt_s, |fluid, scratch| {
             times.advection_ms = clock.lap_ms();
@@ -50,9 +55,10 @@ impl Fluid {
         });
         times.advection_ms += clock.lap_ms();
         let combustion = self.burn(scratch, dt_s);
-        self.push(scratch, dt_s);
+        self.push(scratch, dt_s, true);
         times.forces_ms = clock.lap_ms();
-        self.rub(scratch, dt_s);
+        self.rub_air(scratch, dt_s);
+        self.rub_heat(scratch, dt_s);
         times.viscosity_ms = clock.lap_ms();
         let mut projected = self.press(scratch, dt_s);
         projected.iterations += between.map_or(0, |between| between.iterations);
@@ -66,22 +72,18 @@ impl Fluid {
         report
     }
 
-    /// Adds all that accelerates the air.
-    fn push(&mut self, scratch: &mut Scratch, dt_s: f32) {
+    /// Adds all that accelerates the air, its lift too if `lifts`.
+    pub(crate) fn push(&mut self, scratch: &mut Scratch, dt_s: f32, lifts: bool) {
         let air = self.air();
         let Self { grid, state, settings, sources, given, solids, .. } = self;
         let velocity = &mut state.velocity;
         if settings.vorticity_confinement > 0.0 {
             scratch.confinement.apply(grid, velocity, settings.vorticity_confinement, dt_s);
         }
-        forces::buoyancy(
-            grid,
-            &mut velocity[1],
-            &state.temperature,
-            settings.physics.density,
-            settings.ambient_k,
-            dt_s,
-        );
+        if lifts {
+            let density = settings.physics.density;
+            forces::buoyancy(grid, &mut velocity[1], &state.temperature, density, settings.ambient_k, dt_s);
+        }
         for (axis, field) in velocity.iter_mut().enumerate() {
             if sources.has_acceleration[axis] {
                 forces::accelerate(grid, field, &sources.acceleration[axis], dt_s);
@@ -92,28 +94,36 @@ impl Fluid {
         push_wind(grid, velocity, Walls::of(settings, given, solids.as_deref()), dt_s);
     }
 
-    /// Lets viscosity and conduction act, and sets the flow through the sides.
-    fn rub(&mut self, scratch: &mut Scratch, dt_s: f32) {
-        let Self { grid, state, settings, given, scalars, solids, .. } = self;
+    /// Lets viscosity act, and sets the flow through the sides.
+    pub(crate) fn rub_air(&mut self, scratch: &mut Scratch, dt_s: f32) {
+        let Self { grid, state, settings, given, solids, .. } = self;
         let walls = Walls::of(settings, given, solids.as_deref());
         fix_sides(grid, &mut state.velocity, walls);
         let held = solids.as_deref().map_or(Held::default(), Solids::held);
-        let Scratch { next_velocity, next_temperature, coefficients, strain, scalar, expansion, .. } = scratch;
+        let Scratch { next_velocity, coefficients, strain, .. } = scratch;
         let eddies = settings.physics.smagorinsky > 0.0;
         if eddies {
             strain.measure(grid, &state.velocity);
             strain.become_viscosity(grid, settings.physics.smagorinsky);
         }
-        let eddy_m2_s = eddies.then_some(strain.values.as_slice());
+        let eddy_m2_s = eddies.then_some(strain.viscosity.as_slice());
         let viscosity = Diffusivity { uniform_m2_s: settings.viscosity_m2_s, eddy_m2_s };
         if viscosity.acts() {
             diffuse_velocity(grid, &mut state.velocity, viscosity, dt_s, walls, held, next_velocity, coefficients);
             fix_sides(grid, &mut state.velocity, walls);
         }
+    }
+
+    /// Lets heat and scalars spread, by the eddies that viscosity found.
+    pub(crate) fn rub_heat(&mut self, scratch: &mut Scratch, dt_s: f32) {
+        let Self { grid, state, settings, given, scalars, solids, .. } = self;
+        let held = solids.as_deref().map_or(Held::default(), Solids::held);
+        let Scratch { next_temperature, coefficients, strain, scalar, expansion, .. } = scratch;
+        let eddies = settings.physics.smagorinsky > 0.0;
         if eddies {
             strain.scale(grid, 1.0 / settings.physics.turbulent_prandtl);
         }
-        let eddy_m2_s = eddies.then_some(strain.values.as_slice());
+        let eddy_m2_s = eddies.then_some(strain.viscosity.as_slice());
         let conduction = Diffusivity { uniform_m2_s: settings.thermal_diffusivity_m2_s, eddy_m2_s };
         if conduction.acts() {
             let is_thinned = settings.physics.density == Density::LowMach;
@@ -149,7 +159,7 @@ impl Fluid {
         }
     }
 
-    fn report(&mut self, scratch: &mut Scratch, dt_s: f32, projected: Projected) -> StepReport {
+    pub(crate) fn report(&mut self, scratch: &mut Scratch, dt_s: f32, projected: Projected) -> StepReport {
         let Self { grid, state, .. } = self;
         let temperature = &state.temperature.data;
         let max_temperature_k = scan_planes(grid.exec, temperature, grid.plane(), &mut scratch.partials).high;

@@ -1,6 +1,8 @@
 //! A step divided into parts, so that none carries the air too far at once.
 
+use crate::advect::Advection;
 use crate::combustion::CombustionReport;
+use crate::conserve::COURANT;
 use crate::fluid::Fluid;
 use crate::pressure::speeds;
 use crate::report::{StageTimes, StepReport};
@@ -22,11 +24,17 @@ impl Fluid {
 
     /// Number of parts.
     fn parts(&self, scratch: &mut Scratch, dt_s: f32) -> u32 {
-        let Some(limit) = self.settings.cfl_limit else { return 1 };
-        let crossed = speeds(&self.grid, &self.state.velocity, &mut scratch.partials).into_iter().zip(self.grid.cell_m);
-        let cfl = crossed.map(|(speed, edge)| speed * dt_s / edge).fold(0.0, f32::max);
+        let mut parts = 1.0_f32;
+        if let Some(limit) = self.settings.cfl_limit {
+            let crossed = speeds(&self.grid, &self.state.velocity, &mut scratch.partials).into_iter();
+            let cfl = crossed.zip(self.grid.cell_m).map(|(speed, edge)| speed * dt_s / edge).fold(0.0, f32::max);
+            parts = cfl / limit;
+        }
+        if self.settings.advection == Advection::Conservative {
+            parts = parts.max(self.courant(scratch, dt_s) / COURANT);
+        }
         // The conversion saturates.
-        ((cfl / limit).ceil() as u32).clamp(1, self.settings.max_substeps)
+        (parts.ceil() as u32).clamp(1, self.settings.max_substeps)
     }
 }
 

@@ -13,8 +13,10 @@ use crate::slopes::{EMPTY_ROW, is_periodic, neighbours, pad, per_m};
 /// Arrays for the rate of strain; empty until first used.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Strain {
-    /// `|S|` by cell, 1/s; once [`Strain::become_viscosity`] was called, the viscosity, m²/s.
+    /// `|S|` by cell, 1/s.
     pub(crate) values: Vec<f32>,
+    /// Viscosity (or diffusivity) of eddies by cell, m²/s.
+    pub(crate) viscosity: Vec<f32>,
     per_m: [Vec<f32>; 3],
 }
 
@@ -38,13 +40,23 @@ impl Strain {
     /// Makes the eddy viscosity out of the rate of strain.
     pub(crate) fn become_viscosity(&mut self, grid: &Grid, smagorinsky: f32) {
         let width = smagorinsky * width_m(grid);
-        self.scale(grid, width * width);
+        let (plane, by) = (grid.plane(), width * width);
+        self.viscosity.resize(grid.count(), 0.0);
+        let strain = &self.values;
+        for_planes(
+            grid.exec,
+            &mut self.viscosity,
+            plane,
+            #[inline(always)]
+            |k, out| out.iter_mut().zip(&strain[k * plane..]).for_each(|(value, strain)| *value = by * strain),
+        );
     }
 
+    /// Multiplies the viscosity.
     pub(crate) fn scale(&mut self, grid: &Grid, factor: f32) {
         for_planes(
             grid.exec,
-            &mut self.values,
+            &mut self.viscosity,
             grid.plane(),
             #[inline(always)]
             |_, out| out.iter_mut().for_each(|value| *value *= factor),
@@ -141,7 +153,7 @@ mod tests {
             }
             measured.become_viscosity(&grid, 0.2);
             let width = (0.1_f32 * 0.05 * 0.2).cbrt();
-            assert!((measured.values[7] - 0.04 * width * width * expected).abs() < 1.0e-6);
+            assert!((measured.viscosity[7] - 0.04 * width * width * expected).abs() < 1.0e-6);
         }
     }
 }

@@ -51,7 +51,7 @@ impl From<super::Advection> for Scheme {
     fn from(scheme: super::Advection) -> Self {
         match scheme {
             super::Advection::SemiLagrangian => Self::Linear,
-            super::Advection::MacCormack => Self::MacCormack,
+            super::Advection::MacCormack | super::Advection::Conservative => Self::MacCormack,
             super::Advection::Cubic | super::Advection::Reflection => Self::Cubic,
         }
     }

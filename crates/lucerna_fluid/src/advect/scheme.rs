@@ -24,6 +24,14 @@ pub enum Advection {
     /// Bermejo, A. Staniforth, *The Conversion of Semi-Lagrangian Advection Schemes to
     /// Quasi-Monotone Schemes*, Mon. Weather Rev. 120, 1992). Third order in space where smooth.
     Cubic,
+    /// Momentum goes through the faces of volumes with the mass that does, by central differences
+    /// and the method of Heun with a projection after each of its two halves: mass, momentum and
+    /// kinetic energy are conserved where density jumps, too. For fire with
+    /// [`crate::Density::LowMach`]: plumes roll up and puff. Temperature and scalars go by the same
+    /// fluxes, whatever [`ScalarAdvection`] says. A step is divided so that air crosses half a cell at
+    /// most, up to [`crate::FluidBuilder::max_substeps`] parts; parts that are too long even so go as
+    /// with `MacCormack`, which no length upsets.
+    Conservative,
 }
 
 /// How the way of the air is traced.

@@ -6,8 +6,13 @@ use lucerna_fluid::{Advection, Fluid, FluidError, ScalarAdvection, Side, Sides, 
 
 use crate::support::{Random, random_velocity};
 
-const VELOCITY_SCHEMES: [Advection; 4] =
-    [Advection::SemiLagrangian, Advection::MacCormack, Advection::Reflection, Advection::Cubic];
+const VELOCITY_SCHEMES: [Advection; 5] = [
+    Advection::SemiLagrangian,
+    Advection::MacCormack,
+    Advection::Reflection,
+    Advection::Cubic,
+    Advection::Conservative,
+];
 const SCALAR_SCHEMES: [ScalarAdvection; 4] =
     [ScalarAdvection::Flux, ScalarAdvection::SemiLagrangian, ScalarAdvection::MacCormack, ScalarAdvection::Cubic];
 
@@ -180,6 +185,7 @@ fn an_inviscid_vortex_keeps_its_energy() {
             Advection::SemiLagrangian => (0.62, 1.0),
             Advection::MacCormack => (0.75, 1.0),
             Advection::Reflection => (0.98, 1.01),
+            Advection::Conservative => (0.999, 1.001),
             Advection::Cubic => (0.75, 1.0),
         };
         assert!(kept[1] >= least && kept[1] <= most, "{advection:?}: {}", kept[1]);

@@ -2,8 +2,8 @@
 
 use allocation_counter::measure;
 use lucerna_fluid::{
-    Advection, Combustion, Couple, Fluid, FluidBuilder, Fuel, Obstacle, PressureSolver, Shape, Side, Sides, Source,
-    Vec3,
+    Advection, Combustion, Couple, Density, Fluid, FluidBuilder, Fuel, Obstacle, PressureSolver, Shape, Side, Sides,
+    Source, Vec3,
 };
 
 fn plume() -> FluidBuilder {
@@ -48,6 +48,15 @@ fn a_step_in_steady_state_allocates_nothing() {
         ("scalars", (0..9).fold(plume().scalar("soot"), |builder, at| builder.scalar(format!("{at}")))),
         ("fire", plume().combustion(Combustion::new(Fuel::WOOD)).smagorinsky(0.15)),
         ("reflection", plume().advection(Advection::Reflection)),
+        ("conservative", plume().advection(Advection::Conservative).scalar("soot").viscosity_m2_s(1.0e-4)),
+        (
+            "light gas",
+            plume()
+                .advection(Advection::Conservative)
+                .density(Density::LowMach)
+                .combustion(Combustion::new(Fuel::WOOD))
+                .smagorinsky(0.1),
+        ),
         ("obstacles", plume().viscosity_m2_s(1.0e-4)),
         ("large", Fluid::builder([26; 3]).sides(Sides::OPEN).viscosity_m2_s(1.0e-4).vorticity_confinement(2.0)),
     ];

@@ -5,6 +5,7 @@ mod allocations;
 mod batch;
 mod cavity;
 mod combustion;
+mod conserve;
 mod figures;
 mod flows;
 mod heat;

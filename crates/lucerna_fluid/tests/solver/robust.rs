@@ -155,9 +155,20 @@ fn any_number_of_threads_and_any_vector_instructions_give_the_same_bits() {
 
 #[test]
 fn every_scheme_gives_the_same_bits_on_threads_and_without_vector_instructions() {
-    let velocities = [Advection::SemiLagrangian, Advection::MacCormack, Advection::Reflection, Advection::Cubic];
-    let scalars =
-        [ScalarAdvection::SemiLagrangian, ScalarAdvection::MacCormack, ScalarAdvection::Flux, ScalarAdvection::Cubic];
+    let velocities = [
+        Advection::SemiLagrangian,
+        Advection::MacCormack,
+        Advection::Reflection,
+        Advection::Cubic,
+        Advection::Conservative,
+    ];
+    let scalars = [
+        ScalarAdvection::SemiLagrangian,
+        ScalarAdvection::MacCormack,
+        ScalarAdvection::Flux,
+        ScalarAdvection::Cubic,
+        ScalarAdvection::Flux,
+    ];
     for (advection, scalars) in velocities.into_iter().zip(scalars) {
         let hash = |threads: usize, simd: SimdLevel| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
@@ -186,8 +197,13 @@ fn random_fluid(random: &mut Random) -> Result<Fluid, FluidError> {
         2 => (cells[1], sides.y) = (1, [Side::FreeSlip; 2]),
         _ => {}
     }
-    let advection =
-        [Advection::SemiLagrangian, Advection::MacCormack, Advection::Reflection, Advection::Cubic][pick(4)];
+    let advection = [
+        Advection::SemiLagrangian,
+        Advection::MacCormack,
+        Advection::Reflection,
+        Advection::Cubic,
+        Advection::Conservative,
+    ][pick(5)];
     let scalars =
         [ScalarAdvection::Flux, ScalarAdvection::SemiLagrangian, ScalarAdvection::MacCormack, ScalarAdvection::Cubic]
             [pick(4)];
@@ -318,7 +334,8 @@ proptest! {
         // The same box again, with fire in it.
         let cells = fluid.cells();
         let builder = Fluid::builder(cells).size_m(fluid.size_m()).sides(fluid.sides()).origin(fluid.origin());
-        let advection = [Advection::MacCormack, Advection::Reflection][usize::from(random.next() < 0.5)];
+        let advection =
+            [Advection::MacCormack, Advection::Reflection, Advection::Conservative][(3.0 * random.next()) as usize];
         let builder = builder.advection(advection).combustion(Combustion::new(Fuel::WOOD)).smagorinsky(0.2);
         fluid = builder.wind(fluid.wind()).build().unwrap();
         fluid.fill_velocity(random_velocity(seed, 5.0)).unwrap();
