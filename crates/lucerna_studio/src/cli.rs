@@ -54,6 +54,29 @@ pub enum Command {
         #[command(flatten)]
         export: ExportArgs,
     },
+    /// Holds the fire to the measured laws of fire. Needs no graphics device.
+    Validate {
+        /// What is validated.
+        #[command(flatten)]
+        validate: ValidateArgs,
+    },
+}
+
+/// Which laws, how thoroughly, and where to.
+#[derive(Args, Clone, Debug, Default)]
+pub struct ValidateArgs {
+    /// Fine grids and long times: half an hour on two cores. Without it, a minute of what can be said by then.
+    #[arg(long)]
+    pub long: bool,
+    /// Only these experiments, separated by commas.
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
+    pub only: Vec<String>,
+    /// Write validation.md, and its plots into validation/, in this folder.
+    #[arg(long, value_name = "FOLDER")]
+    pub out: Option<PathBuf>,
+    /// Fail where a figure falls short of its law.
+    #[arg(long)]
+    pub strict: bool,
 }
 
 /// What is exported and how.

@@ -11,7 +11,8 @@
 //! ```
 //!
 //! A run without a window goes [`cli`] -> [`scenes`] -> [`job`] -> [`headless`] -> [`record`] and [`report`]; a run with one
-//! goes [`cli`] -> [`scenes`] -> [`window`]; flames for other programs go [`cli`] -> [`scenes`] -> [`export`]. Errors become one line and exit code 2 in [`program`].
+//! goes [`cli`] -> [`scenes`] -> [`window`]; flames for other programs go [`cli`] -> [`scenes`] -> [`export`];
+//! the laws of fire [`cli`] -> [`validate`]. Errors become one line and exit code 2 in [`program`].
 
 pub mod cli;
 pub mod export;
@@ -24,6 +25,7 @@ pub mod progress;
 pub mod record;
 pub mod report;
 pub mod scenes;
+pub mod validate;
 pub mod window;
 
 pub use lucerna;

@@ -4,7 +4,7 @@ use crate::cli::{Command, ExampleArgs, ProgramArgs, RecordArgs, SceneArgs, one_l
 use crate::job::Job;
 use crate::progress::say;
 use crate::window::{self, Outcome, WindowJob};
-use crate::{export, headless};
+use crate::{export, headless, validate};
 use crate::{record, scenes};
 use anyhow::{Result, bail};
 use clap::Parser;
@@ -66,6 +66,7 @@ fn program(args: ProgramArgs) -> Result<()> {
             export::run(loaded, &export)?.iter().for_each(|line| print_line(line));
             Ok(())
         }
+        Some(Command::Validate { validate }) => validate::run(&validate, print_line),
     }
 }
 
@@ -109,6 +110,7 @@ fn print_overview() {
          lucerna render SCENE --out fire.png   draws a picture\n  \
          lucerna render SCENE --out fire.gif   records an animation\n  \
          lucerna export SCENE --out folder     writes the flames for other programs\n  \
+         lucerna validate                      holds the fire to the laws of fire\n  \
          lucerna help                          lists every option\n\n\
          SCENE is one of the names above or the path of a scene file.",
     );

@@ -1,0 +1,18 @@
+//! How the air of all experiments is computed: one place for the choice of schemes.
+
+use lucerna_fluid::{Density, Fluid, FluidBuilder, Side, Sides, Vec3};
+
+/// Air over a floor, open all around and above: the middle of the floor at x = z = 0.
+pub(crate) fn open_air(cells: [usize; 3], cell_m: f32) -> FluidBuilder {
+    let size = cell_m * Vec3::from_array(cells.map(|cells| cells as f32));
+    schemes(Fluid::builder(cells))
+        .size_m(size)
+        .origin(-0.5 * Vec3::new(size.x, 0.0, size.z))
+        .sides(Sides { y: [Side::FreeSlip, Side::Open], ..Sides::OPEN })
+        .smagorinsky(0.1)
+}
+
+/// Gas that expands when heated, and the transport that suits it.
+pub(crate) fn schemes(builder: FluidBuilder) -> FluidBuilder {
+    builder.density(Density::LowMach)
+}

@@ -1,0 +1,147 @@
+//! How high pool fires burn, and how that grows with their heat.
+
+use crate::chart::{Axis, Chart, Mark, Series};
+use crate::experiment::{Experiment, Halt, Origin, Run};
+use crate::figure::{Allowed, Figure};
+use crate::fire::{Burner, Gas, METHANE, METHANOL, PROPANE, Plan};
+use crate::flame_height::{FlameHeight, Heights};
+use crate::laws::puffing::frequency;
+use crate::signal::{Peak, exponent, strongest};
+use lucerna_fluid::Vec3;
+
+pub(crate) const POOLS: Experiment = Experiment {
+    name: "pools",
+    title: "Pool fires of NIST: methanol and propane",
+    law: "flame heights of 0.41 and 0.75 m, puffing at 2.64 and 2.31 Hz",
+    source: "S. Kim, K. Lee, A. Hamins, Fire Safety Journal 107, 2019; MaCFP tables of NIST pool fires; \
+             G. Heskestad, SFPE Handbook: L = 0.235 Q^0.4 - 1.02 D",
+    origin: Origin::Emergent,
+    measures: "Height below which 99 % of the heat is released on average; beside it the height with burning gas half of \
+               the time, and where the axis is 500 K above ambient. Puffing: speed on the axis half a diameter up. \
+               Radiated shares are the measured ones.",
+    short: Some("cells of 3.8 and 4.6 cm, 2 to 6 s, methanol only"),
+    long: "12 cells across, box of 3 x 5 x 3 diameters, 3 to 15 s",
+    burn: pools,
+};
+
+pub(crate) const HEIGHT_BY_HEAT: Experiment = Experiment {
+    name: "height_by_heat",
+    title: "Methane on 0.4 m, 20 to 200 kW",
+    law: "L + 1.02 D goes as Q^0.4",
+    source: "G. Heskestad, SFPE Handbook",
+    origin: Origin::Emergent,
+    measures: "Height below which 99 % of the heat is released on average.",
+    short: None,
+    long: "10 cells across, box of 4 x 7 x 4 diameters, 3 to 11 s each",
+    burn: by_heat,
+};
+
+/// What a look at a fire gives.
+pub(crate) struct Seen {
+    pub(crate) heights: Heights,
+    pub(crate) peak: Peak,
+    pub(crate) watched: FlameHeight,
+}
+
+/// Burns a plan between two times, s; looks at the flame every fourth step.
+pub(crate) fn watch(run: &mut Run<'_>, plan: &Plan, dt_s: f32, times_s: [f32; 2]) -> Result<Seen, Halt> {
+    let mut fire = plan.light()?;
+    let (foot, diameter) = (fire.feet[0], plan.burner.diameter_m());
+    let mut watched = FlameHeight::new(&fire.air, fire.fuel, fire.kg_s, plan.gas.fuel.heat_kj_kg, foot);
+    let [start, end] = times_s.map(|time| (time / dt_s) as usize);
+    let probe = foot + 0.5 * diameter * Vec3::Y;
+    let mut speeds = Vec::new();
+    run.steps(&mut fire.air, dt_s, end, |step, air, _| {
+        if step >= start {
+            speeds.push(f64::from(air.velocity(probe).y));
+            if step % 4 == 0 {
+                watched.look(air);
+            }
+        }
+    })?;
+    let slow = f64::from(diameter).sqrt();
+    let peak = strongest(&speeds, f64::from(dt_s), [0.5 / slow, 5.0 / slow]);
+    Ok(Seen { heights: watched.heights(), peak, watched })
+}
+
+/// A pool fire, and what was published of it.
+struct Pool {
+    name: &'static str,
+    gas: Gas,
+    diameter: f32,
+    heat_kw: f32,
+    height_m: f64,
+    hz: f64,
+}
+
+fn pools(run: &mut Run<'_>) -> Result<(), Halt> {
+    let pools = [
+        Pool { name: "methanol", gas: METHANOL, diameter: 0.301, heat_kw: 19.2, height_m: 0.41, hz: 2.64 },
+        Pool { name: "propane", gas: PROPANE.radiating(0.22), diameter: 0.37, heat_kw: 34.4, height_m: 0.75, hz: 2.31 },
+    ];
+    let (across, times_s) = run.choose((8, [2.0, 6.0]), (12, [3.0, 15.0]));
+    let count = run.choose(1, pools.len());
+    let mut lines = Vec::new();
+    for (at, pool) in pools.iter().take(count).enumerate() {
+        run.part(at, count);
+        let Pool { name, gas, diameter, heat_kw, height_m, hz } = *pool;
+        let cells = [3 * across, 5 * across, 3 * across];
+        let cell_m = diameter / across as f32;
+        let plan = Plan::new(gas, heat_kw, Burner::Round { diameter }, cell_m, cells);
+        let Seen { heights, peak, watched } = watch(run, &plan, 0.2 * cell_m, times_s)?;
+        figures(run, &format!("{name}, {heat_kw} kW on {diameter} m"), &heights, height_m);
+        run.figure(frequency(format!("{name}: puffing"), hz, &peak));
+        lines.push(Series { name: name.into(), mark: Mark::Line, points: watched.axis_kelvin() });
+    }
+    run.chart(Chart {
+        title: "Mean temperature on the axis".into(),
+        x: Axis::linear("height, m"),
+        y: Axis::linear("above ambient, K"),
+        series: lines,
+    });
+    Ok(())
+}
+
+fn figures(run: &mut Run<'_>, what: &str, heights: &Heights, published_m: f64) {
+    run.figure(Figure::new(format!("{what}: height"), "m", published_m, heights.released_99_m, Allowed::Percent(25.0)));
+    for (measure, found) in [
+        ("95 % of the heat", heights.released_95_m),
+        ("burning half of the time", heights.half_of_time_m),
+        ("500 K on the axis", heights.kelvin_500_m),
+    ] {
+        run.figure(Figure::new(format!("the same, {measure}"), "m", published_m, found, Allowed::Any));
+    }
+}
+
+fn by_heat(run: &mut Run<'_>) -> Result<(), Halt> {
+    const DIAMETER: f32 = 0.4;
+    const ACROSS: usize = 10;
+    let mut found = Vec::new();
+    let heats = [20.0_f32, 43.0, 93.0, 200.0];
+    for (at, heat_kw) in heats.into_iter().enumerate() {
+        run.part(at, heats.len());
+        let cell_m = DIAMETER / ACROSS as f32;
+        let burner = Burner::Round { diameter: DIAMETER };
+        let plan = Plan::new(METHANE, heat_kw, burner, cell_m, [4 * ACROSS, 7 * ACROSS, 4 * ACROSS]);
+        let heights = watch(run, &plan, 0.15 * cell_m, [3.0, 11.0])?.heights;
+        let law = 0.235 * f64::from(heat_kw).powf(0.4) - 1.02 * f64::from(DIAMETER);
+        let figure =
+            Figure::new(format!("height of {heat_kw} kW"), "m", law, heights.released_99_m, Allowed::Percent(25.0));
+        let note =
+            format!("burning half of the time {:.2} m, 500 K {:.2} m", heights.half_of_time_m, heights.kelvin_500_m);
+        run.figure(figure.noted(note));
+        found.push((f64::from(heat_kw), heights.released_99_m + 1.02 * f64::from(DIAMETER)));
+    }
+    run.figure(Figure::new("exponent of L + 1.02 D by heat", "", 0.4, exponent(&found), Allowed::Difference(0.05)));
+    let law = [15.0, 250.0].map(|q: f64| (q, 0.235 * q.powf(0.4))).to_vec();
+    run.chart(Chart {
+        title: "Height of methane on 0.4 m".into(),
+        x: Axis::log("kW"),
+        y: Axis::log("L + 1.02 D, m"),
+        series: vec![
+            Series { name: "Heskestad".into(), mark: Mark::Dashes, points: law },
+            Series { name: "found".into(), mark: Mark::Points, points: found },
+        ],
+    });
+    Ok(())
+}

@@ -1,0 +1,67 @@
+//! Flames that stand near each other become one.
+
+use lucerna_fluid::Vec3;
+
+use crate::chart::{Axis, Chart, Mark, Series};
+use crate::experiment::{Experiment, Halt, Origin, Run};
+use crate::figure::{Allowed, Figure};
+use crate::fire::{Burner, METHANE, Plan};
+
+pub(crate) const MERGING: Experiment = Experiment {
+    name: "merging",
+    title: "Two flames of 10 kW beside each other",
+    law: "they are one above 3 to 3.3 times their spacing",
+    source: "M. Delichatsios, merging of flames in a row",
+    origin: Origin::Emergent,
+    measures: "Height above which the mean temperature midway between them is that above the burners or higher, over the \
+               spacing of their middles.",
+    short: None,
+    long: "burners of 0.1 m, cells of 2 cm, box of 1.0 x 1.4 x 0.8 m, 2 to 10 s each",
+    burn,
+};
+
+fn burn(run: &mut Run<'_>) -> Result<(), Halt> {
+    const CELL_M: f32 = 0.02;
+    const CELLS: [usize; 3] = [50, 70, 40];
+    let dt_s = 0.003;
+    let gaps = [0.16_f32, 0.24];
+    let mut lines = Vec::new();
+    for (at, gap) in gaps.into_iter().enumerate() {
+        run.part(at, gaps.len());
+        let plan = Plan {
+            at_m: vec![-0.5 * gap, 0.5 * gap],
+            ..Plan::new(METHANE, 20.0, Burner::Round { diameter: 0.1 }, CELL_M, CELLS)
+        };
+        let mut fire = plan.light()?;
+        let feet = [fire.feet[0], fire.feet[1]];
+        let middle = 0.5 * (feet[0] + feet[1]);
+        let mut sums = vec![(0.0_f64, 0.0_f64); CELLS[1]];
+        let height = |j: usize| (j as f32 + 0.5) * CELL_M;
+        let [start, end] = [2.0, 10.0].map(|time: f32| (time / dt_s) as usize);
+        run.steps(&mut fire.air, dt_s, end, |step, air, _| {
+            if step < start || step % 2 != 0 {
+                return;
+            }
+            for (j, sum) in sums.iter_mut().enumerate() {
+                let up = height(j) * Vec3::Y;
+                sum.0 += f64::from(air.temperature(middle + up));
+                sum.1 += 0.5 * f64::from(air.temperature(feet[0] + up) + air.temperature(feet[1] + up));
+            }
+        })?;
+        let ratios: Vec<f64> = sums.iter().map(|(middle, above)| middle / above.max(1.0e-9)).collect();
+        // Above the last height at which the middle is cooler.
+        let merged = ratios.iter().rposition(|ratio| *ratio < 1.0).map_or(0, |j| j + 1);
+        let found = if merged < CELLS[1] { f64::from(height(merged) / gap) } else { f64::NAN };
+        let what = format!("merged {gap} m apart, heights over spacings");
+        run.figure(Figure::new(what, "", 3.0, found, Allowed::UpTo(3.3)));
+        let points = ratios.iter().enumerate().map(|(j, ratio)| (f64::from(height(j) / gap), *ratio)).collect();
+        lines.push(Series { name: format!("{gap} m apart"), mark: Mark::Line, points });
+    }
+    run.chart(Chart {
+        title: "Midway between two flames".into(),
+        x: Axis::linear("height over spacing"),
+        y: Axis::linear("excess temperature, over that above the burners"),
+        series: lines,
+    });
+    Ok(())
+}

@@ -1,0 +1,98 @@
+//! Outcomes as Markdown, with their plots.
+
+use std::fmt::Write;
+
+use crate::chart::row;
+use crate::experiment::{Effort, Experiment, Outcome};
+use crate::figure::{Allowed, Figure};
+
+/// An experiment and what it found.
+pub struct Entry<'a> {
+    /// Which one.
+    pub experiment: &'a Experiment,
+    /// What it found.
+    pub outcome: &'a Outcome,
+}
+
+/// Figures as lines of a table for a terminal.
+#[must_use]
+pub fn table(entry: &Entry<'_>) -> String {
+    let Entry { experiment, outcome } = entry;
+    let mut out = format!(
+        "{}: {} ({}, {:.0} million cell-steps, {:.0} s)\n",
+        experiment.name,
+        experiment.title,
+        experiment.origin.word(),
+        1.0e-6 * outcome.cell_steps as f64,
+        outcome.seconds
+    );
+    let width = outcome.figures.iter().map(|figure| figure.what.chars().count()).max().unwrap_or(0);
+    for figure in &outcome.figures {
+        let verdict = format!("{:5}", figure.verdict());
+        let (found, published) = (figure.found(), figure.published());
+        let _ = writeln!(out, "  {verdict}  {:width$}  {found}; published {published} {}", figure.what, figure.off());
+    }
+    out
+}
+
+/// The page that `command` makes, and the plots to be put into `folder` beside it, by file name.
+#[must_use]
+pub fn page(entries: &[Entry<'_>], command: &str, effort: Effort, folder: &str) -> (String, Vec<(String, String)>) {
+    let (mut out, mut plots) = (String::new(), Vec::new());
+    let (steps, seconds) = entries.iter().fold((0.0, 0.0), |(steps, seconds), entry| {
+        (steps + 1.0e-6 * entry.outcome.cell_steps as f64, seconds + entry.outcome.seconds)
+    });
+    let _ = write!(
+        out,
+        "# Validation\n\nFire against measured fire. This page is made by `{command}`: \
+         {steps:.0} million cell-steps, {seconds:.0} s on the machine that made it. *Emergent*: no constant was fitted to \
+         the law or to anything like it. *Calibrated*: one was. Where a figure is farther off than allowed, it is \
+         **short**.\n\n| experiment | law | figures that hold | |\n|---|---|---|---|\n"
+    );
+    for Entry { experiment, outcome } in entries {
+        let judged = outcome.figures.iter().filter(|figure| figure.allowed != Allowed::Any);
+        let (count, held) = judged.fold((0, 0), |(count, held), figure| (count + 1, held + u32::from(figure.holds())));
+        let short = if held < count { "**short**" } else { "" };
+        let (name, law) = (experiment.name, experiment.law);
+        let _ = writeln!(out, "| [{}](#{name}) | {law} | {held} of {count} | {short} |", experiment.title);
+    }
+    for entry in entries {
+        section(&mut out, &mut plots, entry, effort, folder);
+    }
+    (out, plots)
+}
+
+fn section(out: &mut String, plots: &mut Vec<(String, String)>, entry: &Entry<'_>, effort: Effort, folder: &str) {
+    let Entry { experiment, outcome } = entry;
+    let Experiment { name, title, law, source, measures, long, .. } = experiment;
+    let settings = match effort {
+        Effort::Short => experiment.short.unwrap_or(long),
+        Effort::Long => long,
+    };
+    let _ = write!(
+        out,
+        "\n## {name}\n{title}: {law} ({source}). {measures} {settings}: up to {:.0} thousand cells, {:.0} million \
+         cell-steps, {:.0} s. **{}**.\n\n| | found | published | off | allowed | |\n|---|---|---|---|---|---|\n",
+        1.0e-3 * outcome.cells as f64,
+        1.0e-6 * outcome.cell_steps as f64,
+        outcome.seconds,
+        experiment.origin.word()
+    );
+    for figure in &outcome.figures {
+        out.push_str(&line(figure));
+    }
+    if !outcome.charts.is_empty() {
+        let file = format!("{name}.svg");
+        let _ = write!(out, "\n![{title}]({folder}/{file})\n");
+        plots.push((file, row(&outcome.charts)));
+    }
+}
+
+fn line(figure: &Figure) -> String {
+    let verdict = match figure.verdict() {
+        "short" => "**short**",
+        verdict => verdict,
+    };
+    let (found, published, off, allowed) = (figure.found(), figure.published(), figure.off(), figure.allowed());
+    format!("| {} | {found} | {published} | {off} | {allowed} | {verdict} |\n", figure.what)
+}
