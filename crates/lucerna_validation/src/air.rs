@@ -1,6 +1,6 @@
 //! How the air of all experiments is computed: one place for the choice of schemes.
 
-use lucerna_fluid::{Density, Fluid, FluidBuilder, Side, Sides, Vec3};
+use lucerna_fluid::{Advection, Density, Fluid, FluidBuilder, Side, Sides, Vec3};
 
 /// Air over a floor, open all around and above: the middle of the floor at x = z = 0.
 pub(crate) fn open_air(cells: [usize; 3], cell_m: f32) -> FluidBuilder {
@@ -14,5 +14,5 @@ pub(crate) fn open_air(cells: [usize; 3], cell_m: f32) -> FluidBuilder {
 
 /// Gas that expands when heated, and the transport that suits it.
 pub(crate) fn schemes(builder: FluidBuilder) -> FluidBuilder {
-    builder.density(Density::LowMach)
+    builder.density(Density::LowMach).advection(Advection::Conservative)
 }
