@@ -4,13 +4,14 @@ use super::capture::{WindowCapture, free_name};
 use super::document::Document;
 use super::meters::Meters;
 use super::viewport::Viewport;
+use super::wick_edit::WickEdit;
 use super::{WindowJob, orbit, panel};
 use crate::cli::{SurfacesArg, WindowArgs};
 use crate::headless::slices;
 use crate::limits::SIDE_PX;
 use crate::progress::say;
 use anyhow::Result;
-use egui::{Color32, Key, PointerButton, Rect, Sense, ViewportCommand};
+use egui::{Color32, Event, Key, PointerButton, Rect, Sense, ViewportCommand};
 use lucerna::flame::Surfaces;
 use lucerna::{DebugLines, World};
 use std::path::Path;
@@ -37,6 +38,18 @@ pub(super) enum Command {
     ResetCamera,
     /// Opens a scene.
     Open(String),
+    /// Takes the last change back.
+    Undo,
+    /// Does it again.
+    Redo,
+    /// Saves the scene.
+    Save,
+    /// Lets the next click begin a wick.
+    NewWick,
+    /// Adds a point after the chosen one.
+    InsertPoint,
+    /// Takes the chosen point away.
+    DeletePoint,
 }
 
 /// What is on screen besides the scene itself.
@@ -56,11 +69,12 @@ pub(super) struct View {
 
 /// The window.
 pub(super) struct App {
-    document: Document,
-    world: World,
+    pub(super) document: Document,
+    pub(super) world: World,
     viewport: Viewport,
     meters: Meters,
-    view: View,
+    pub(super) view: View,
+    pub(super) edit: WickEdit,
     window: WindowArgs,
     capture: WindowCapture,
     opened: Instant,
@@ -90,6 +104,7 @@ impl App {
                 surfaces_on_device: job.surfaces == SurfacesArg::Gpu,
                 ..View::default()
             },
+            edit: WickEdit::default(),
             window: job.window,
             capture: WindowCapture::default(),
             opened: Instant::now(),
@@ -101,7 +116,43 @@ impl App {
         if ui.ctx().egui_wants_keyboard_input() {
             return;
         }
-        let pressed = |key| ui.input(|input| input.key_pressed(key));
+        // A slow frame can end after the key is let go: what counts is what was held when it was pressed.
+        let pressed_with = |key: Key, with: bool| {
+            ui.input(|input| {
+                input.events.iter().find_map(|event| match event {
+                    Event::Key { key: found, pressed: true, modifiers, .. }
+                        if *found == key && modifiers.command == with =>
+                    {
+                        Some(modifiers.shift)
+                    }
+                    _ => None,
+                })
+            })
+        };
+        if let Some(shift) = pressed_with(Key::Z, true) {
+            self.view.commands.push(if shift { Command::Redo } else { Command::Undo });
+        }
+        for (key, command) in [(Key::Y, Command::Redo), (Key::S, Command::Save)] {
+            if pressed_with(key, true).is_some() {
+                self.view.commands.push(command);
+            }
+        }
+        let pressed = |key| pressed_with(key, false).is_some();
+        if pressed(Key::W) {
+            self.edit.on = !self.edit.on;
+        }
+        if self.edit.on {
+            for (key, asked) in [
+                (Key::N, Command::NewWick),
+                (Key::I, Command::InsertPoint),
+                (Key::Delete, Command::DeletePoint),
+                (Key::Backspace, Command::DeletePoint),
+            ] {
+                if pressed(key) {
+                    self.view.commands.push(asked);
+                }
+            }
+        }
         if pressed(Key::Space) {
             self.view.paused = !self.view.paused;
         }
@@ -115,7 +166,9 @@ impl App {
                 self.view.commands.push(command);
             }
         }
-        if pressed(Key::Escape) {
+        if pressed(Key::Escape) && self.edit.on {
+            self.edit = WickEdit::default();
+        } else if pressed(Key::Escape) {
             ui.ctx().send_viewport_cmd(ViewportCommand::Close);
         }
     }
@@ -128,6 +181,18 @@ impl App {
             }
             Command::Reset => self.world.reset(),
             Command::ResetCamera => self.document.reset_camera(),
+            Command::Undo => self.document.undo(),
+            Command::Redo => self.document.redo(),
+            Command::NewWick => self.edit.chosen = None,
+            Command::InsertPoint => self.edit.insert(&mut self.document.edited),
+            Command::DeletePoint => self.edit.delete(&mut self.document.edited),
+            Command::Save => {
+                let path = self.document.save()?;
+                let full = std::path::absolute(&path).unwrap_or(path);
+                let line = format!("saved {}", full.display());
+                say(&line);
+                self.view.notice = Some(line);
+            }
             Command::Screenshot => {
                 let path = free_name(Path::new(""))?;
                 self.viewport.save(&path)?;
@@ -142,6 +207,7 @@ impl App {
                 self.world.set_scene(loaded)?;
                 // World and document are of the same scene from here on, whatever fails.
                 self.document = document;
+                self.edit = WickEdit::default();
                 self.view.preset = None;
                 self.view.notice = None;
                 warm_up(&mut self.world)?;
@@ -167,9 +233,13 @@ impl App {
     fn fire(&mut self, ui: &mut egui::Ui) {
         let rect = ui.available_rect_before_wrap();
         let response = ui.allocate_rect(rect, Sense::click_and_drag());
+        self.edit.refresh(&mut self.document.edited);
+        let draws = self.edit.on && self.draw_wicks(ui, rect, &response);
         let camera = &mut self.document.edited.camera;
         let drag = glam::Vec2::new(response.drag_delta().x, response.drag_delta().y);
-        if response.dragged_by(PointerButton::Primary) {
+        if draws {
+            // The mouse is on a point.
+        } else if response.dragged_by(PointerButton::Primary) {
             orbit::orbit(camera, drag);
         } else if response.dragged() {
             orbit::pan(camera, drag, rect.height());
@@ -178,7 +248,13 @@ impl App {
         if response.hovered() && scroll != 0.0 {
             orbit::zoom(camera, scroll);
         }
-        self.document.apply(&mut self.world);
+        // A change is complete when the mouse is let go; points that are dragged do not start the fire anew until then.
+        if !self.edit.dragging {
+            self.document.apply(&mut self.world);
+        }
+        if !ui.input(|input| input.pointer.any_down()) {
+            self.document.record();
+        }
         self.world.set_debug_lines(self.view.lines);
         let on_device = self.view.surfaces_on_device;
         self.world.set_surfaces(if on_device { Surfaces::Nets } else { Surfaces::Vertices });
@@ -194,6 +270,9 @@ impl App {
         if let Some(texture) = self.viewport.texture() {
             let whole = Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
             ui.painter().image(texture, rect, whole, Color32::WHITE);
+        }
+        if self.edit.on {
+            self.show_points(ui, rect);
         }
     }
 
@@ -222,7 +301,15 @@ impl eframe::App for App {
         let seconds = self.meters.begin_frame();
         self.keys(ui);
         egui::Panel::right("panel").default_size(370.0).show(ui, |ui| {
-            panel::show(ui, &mut self.document, &mut self.view, &self.meters, &self.world, self.viewport.adapter());
+            panel::show(
+                ui,
+                &mut self.document,
+                &mut self.edit,
+                &mut self.view,
+                &self.meters,
+                &self.world,
+                self.viewport.adapter(),
+            );
         });
         for command in std::mem::take(&mut self.view.commands) {
             if let Err(error) = self.obey(command) {

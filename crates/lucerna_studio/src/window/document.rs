@@ -1,10 +1,12 @@
 //! The scene that is being edited, and the last state of it that is allowed.
 
+use super::history::History;
 use crate::cli::SceneArgs;
 use crate::scenes;
-use anyhow::Result;
+use anyhow::{Context, Result};
 use lucerna::World;
 use lucerna::scene::{LoadedScene, Scene};
+use std::path::PathBuf;
 
 /// A scene under the sliders.
 #[derive(Debug)]
@@ -20,6 +22,7 @@ pub(super) struct Document {
     /// The last state that was tried.
     tried: Scene,
     opened: Scene,
+    history: History,
 }
 
 impl Document {
@@ -30,6 +33,7 @@ impl Document {
             error: None,
             tried: scene.clone(),
             opened: scene.clone(),
+            history: History::new(scene),
             active: scene.clone(),
         }
     }
@@ -60,6 +64,37 @@ impl Document {
         self.edited.camera = self.opened.camera;
     }
 
+    /// Takes the present state down, to come back to it: once a change is complete.
+    pub(super) fn record(&mut self) {
+        self.history.record(&self.edited);
+    }
+
+    /// Takes the last change back.
+    pub(super) fn undo(&mut self) {
+        self.history.undo(&mut self.edited);
+    }
+
+    /// Does again what was undone.
+    pub(super) fn redo(&mut self) {
+        self.history.redo(&mut self.edited);
+    }
+
+    /// Writes the scene: a file in its place, a built-in one to a file of its name in the current folder, which is what
+    /// is edited from then on. An old file stays whole until the new one is.
+    pub(super) fn save(&mut self) -> Result<PathBuf> {
+        lucerna::scene::validate(&self.edited)?;
+        let path = match scenes::is_builtin(&self.name) {
+            true => free_name(&self.name)?,
+            false => PathBuf::from(&self.name),
+        };
+        let mut unfinished = path.clone().into_os_string();
+        unfinished.push(".unfinished");
+        let written = std::fs::write(&unfinished, self.edited.to_ron()?);
+        written.and_then(|()| std::fs::rename(&unfinished, &path)).with_context(|| path.display().to_string())?;
+        self.name = path.display().to_string();
+        Ok(path)
+    }
+
     /// Takes over what was edited since the last call, where it is allowed; else says why not and goes on as before.
     pub(super) fn apply(&mut self, world: &mut World) {
         if self.edited == self.tried {
@@ -80,6 +115,13 @@ impl Document {
         self.active = self.edited.clone();
         Ok(())
     }
+}
+
+/// The first of `NAME.ron`, `NAME_2.ron`, ... that is not there yet.
+fn free_name(name: &str) -> Result<PathBuf> {
+    let numbered = |number: u32| if number == 1 { format!("{name}.ron") } else { format!("{name}_{number}.ron") };
+    let mut paths = (1..1000).map(|number| PathBuf::from(numbered(number)));
+    paths.find(|path| !path.exists()).with_context(|| format!("{name}.ron to {name}_999.ron are all taken"))
 }
 
 #[cfg(test)]
@@ -125,5 +167,30 @@ mod tests {
         document.apply(&mut world);
         assert!(document.error.is_some());
         assert_eq!((document.active(), &world.scene().scene), (&before, &before));
+    }
+
+    #[test]
+    fn a_scene_that_was_edited_and_saved_opens_as_it_was() {
+        let folder = std::env::temp_dir().join(format!("lucerna_studio_save_{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let (mut document, mut world) = opened();
+        document.name = folder.join("mine.ron").display().to_string();
+        let points = document.edited.fires[0].wicks[0].points_mut().unwrap();
+        points.push([0.002, 0.009, 0.0]);
+        document.apply(&mut world);
+        document.record();
+        let path = document.save().unwrap();
+        assert_eq!(Document::open(&path.display().to_string()).unwrap().0.edited, document.edited);
+        document.undo();
+        document.apply(&mut world);
+        assert_eq!(world.scene().scene.fires[0].wicks[0].points().len(), 3);
+        document.redo();
+        assert_eq!(document.edited.fires[0].wicks[0].points().len(), 4);
+        // What cannot be saved leaves the file as it is.
+        document.edited.look.layers = 0;
+        assert!(document.save().is_err());
+        assert!(Document::open(&path.display().to_string()).is_ok());
+        assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 1);
+        std::fs::remove_dir_all(&folder).unwrap();
     }
 }

@@ -3,6 +3,8 @@
 mod app;
 mod capture;
 mod document;
+mod fuel_curve;
+mod history;
 mod meters;
 mod orbit;
 mod panel;
@@ -13,7 +15,11 @@ mod panel_picture;
 mod panel_scene;
 mod panel_shade;
 mod panel_statistics;
+mod panel_wicks;
+mod pick;
+mod points;
 mod viewport;
+mod wick_edit;
 mod widgets;
 
 use crate::cli::{SurfacesArg, WindowArgs};

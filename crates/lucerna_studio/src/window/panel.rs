@@ -3,7 +3,10 @@
 use super::app::View;
 use super::document::Document;
 use super::meters::Meters;
-use super::{panel_air, panel_camera, panel_fire, panel_picture, panel_scene, panel_shade, panel_statistics};
+use super::wick_edit::WickEdit;
+use super::{
+    panel_air, panel_camera, panel_fire, panel_picture, panel_scene, panel_shade, panel_statistics, panel_wicks,
+};
 use egui::{Color32, ScrollArea, Ui};
 use lucerna::World;
 
@@ -11,6 +14,7 @@ use lucerna::World;
 pub(super) fn show(
     ui: &mut Ui,
     document: &mut Document,
+    edit: &mut WickEdit,
     view: &mut View,
     meters: &Meters,
     world: &World,
@@ -25,6 +29,7 @@ pub(super) fn show(
     }
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         panel_scene::show(ui, document, view);
+        panel_wicks::show(ui, &mut document.edited, edit, view);
         panel_air::show(ui, &mut document.edited.air);
         let several = document.edited.fires.len() > 1;
         for (index, fire) in document.edited.fires.iter_mut().enumerate() {

@@ -1,6 +1,7 @@
 //! Wick and fuel, skeletons and surface of one fire.
 
-use super::widgets::{choice, log_slider, pick, section, slider, vector};
+use super::fuel_curve;
+use super::widgets::{choice, log_slider, pick, row, section, slider, switch, vector};
 use egui::Ui;
 use lucerna::flame::{Fuel, FuelDistribution, FuelForm, Skeletons, SurfaceGrid, Swing};
 use lucerna::scene::{Fire, WickSource};
@@ -9,6 +10,7 @@ pub(super) fn show(ui: &mut Ui, fire: &mut Fire, of: &str) {
     section(ui, &format!("Wick and fuel{of}"), false, |ui| {
         fuel(ui, &mut fire.fuel);
         wicks(ui, &mut fire.wicks);
+        switch(ui, &mut fire.wick.shown, "Show wicks", "Draws a charred tube along each wick, with a glowing tip.");
     });
     section(ui, &format!("Skeletons{of}"), false, |ui| skeletons(ui, &mut fire.skeletons));
     section(ui, &format!("Surface{of}"), false, |ui| surface(ui, &mut fire.surface));
@@ -65,10 +67,12 @@ fn fuel(ui: &mut Ui, fuel: &mut Fuel) {
         ("Gaussian", FuelDistribution::Gaussian),
         ("random", FuelDistribution::Random),
     ];
-    if matches!(fuel.distribution, FuelDistribution::Table(_)) {
-        distributions.push(("table", fuel.distribution.clone()));
-    }
+    distributions.push(("drawn", FuelDistribution::Table(fuel_curve::table_of(&fuel.distribution, fuel.form))));
     choice(ui, &mut fuel.distribution, &distributions, "Distribution", "How fuel is spread along the wick.");
+    if let FuelDistribution::Table(samples) = &mut fuel.distribution {
+        let tooltip = "Drag to draw: how fuel is spread from one end of the wick to the other.";
+        row(ui, "Curve", tooltip, |ui| fuel_curve::show(ui, samples));
+    }
     let forms = [("maximum 1", FuelForm::Normalised), ("published", FuelForm::Published)];
     let tooltip = "Whether the distribution has maximum 1, or the form that paper 003's authors run.";
     choice(ui, &mut fuel.form, &forms, "Form", tooltip);
