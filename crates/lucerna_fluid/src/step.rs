@@ -118,7 +118,7 @@ impl Fluid {
     pub(crate) fn rub_heat(&mut self, scratch: &mut Scratch, dt_s: f32) {
         let Self { grid, state, settings, given, scalars, solids, .. } = self;
         let held = solids.as_deref().map_or(Held::default(), Solids::held);
-        let Scratch { next_temperature, coefficients, strain, scalar, expansion, .. } = scratch;
+        let Scratch { next_temperature, coefficients, strain, scalar, .. } = scratch;
         let eddies = settings.physics.smagorinsky > 0.0;
         if eddies {
             strain.scale(grid, 1.0 / settings.physics.turbulent_prandtl);
@@ -130,17 +130,17 @@ impl Fluid {
             let ambient_k = settings.ambient_k;
             let (field, mut sides) = (&mut state.temperature, given.temperature_k);
             if is_thinned {
-                // What spreads is what is conserved: heat and masses a volume.
+                // What spreads is what is conserved: heat and masses a volume, and with them density. So the velocity
+                // stays that of volume (H. Brenner, Physica A 349, 2005) and conduction makes none: were gas to expand
+                // as well, masses would be moved twice.
                 for pack in &mut state.packs {
                     density::weigh(grid, pack, &field.data, ambient_k, false);
                 }
                 density::to_shares(grid, field, ambient_k);
-                scalar.data.copy_from_slice(&field.data);
                 sides = sides.map(|ends| ends.map(|kelvin| kelvin.map(|kelvin| share_from_kelvin(kelvin, ambient_k))));
             }
             diffuse_scalar(grid, field, conduction, dt_s, sides, held, next_temperature, coefficients);
             if is_thinned {
-                density::add_growth(grid, expansion, &scalar.data, &field.data, dt_s);
                 density::to_kelvin(grid, field, ambient_k);
             }
             if eddies || is_thinned {
