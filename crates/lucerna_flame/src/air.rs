@@ -1,6 +1,7 @@
 //! What a flame needs to know of the air.
 
 use glam::Vec3;
+use lucerna_fluid::OXYGEN_IN_AIR;
 
 /// Temperature of air that says nothing of its own, K.
 pub const ROOM_K: f32 = 293.15;
@@ -12,12 +13,14 @@ pub struct Gas {
     pub temperature_k: f32,
     /// Mass fraction of fuel that has not burnt yet, 0 to 1.
     pub fuel: f32,
+    /// Mass fraction of oxygen, 0 to 1.
+    pub oxygen: f32,
 }
 
 impl Default for Gas {
     /// Air of [`ROOM_K`] without fuel.
     fn default() -> Self {
-        Self { temperature_k: ROOM_K, fuel: 0.0 }
+        Self { temperature_k: ROOM_K, fuel: 0.0, oxygen: OXYGEN_IN_AIR }
     }
 }
 
@@ -36,7 +39,8 @@ pub trait Air: Sync {
     }
 
     /// What is in the air at points, as many as `out` has room for; by default nothing but air of [`ROOM_K`]. Flames
-    /// that burn fuel in the air are drawn where it is hot, and unlit wicks catch fire where it is.
+    /// that burn fuel in the air are drawn where there is more of it than burns, and unlit wicks catch fire where the
+    /// air is hot.
     fn gas(&self, _points: &[Vec3], out: &mut [Gas]) {
         out.fill(Gas::default());
     }

@@ -4,11 +4,12 @@ use crate::air::{Gas, keep_inside};
 use crate::flame::{Doings, Feed};
 use crate::{Air, Flames, Source};
 use glam::Vec3;
-use lucerna_fluid::{Fluid, FluidError, ScalarSource, Shape};
+use lucerna_fluid::{Fluid, FluidError, OXYGEN_IN_AIR, ScalarId, ScalarSource, Shape};
 use std::sync::PoisonError;
 
-/// Name of the scalar that holds fuel.
+/// Names of the scalars that hold fuel and oxygen.
 const FUEL: &str = "fuel";
+const OXYGEN: &str = "oxygen";
 
 impl Air for Fluid {
     fn velocity(&self, point: Vec3) -> Vec3 {
@@ -24,10 +25,11 @@ impl Air for Fluid {
         self.cell_size_m().min_element()
     }
     fn gas(&self, points: &[Vec3], out: &mut [Gas]) {
-        let fuel = self.scalar_id(FUEL);
+        let (fuel, oxygen) = (self.scalar_id(FUEL), self.scalar_id(OXYGEN));
         for (out, point) in out.iter_mut().zip(points) {
+            let of = |scalar: Option<ScalarId>, or: f32| scalar.map_or(or, |scalar| self.scalar(scalar, *point));
             let temperature_k = self.ambient_k() + self.temperature(*point);
-            *out = Gas { temperature_k, fuel: fuel.map_or(0.0, |fuel| self.scalar(fuel, *point)) };
+            *out = Gas { temperature_k, fuel: of(fuel, 0.0), oxygen: of(oxygen, OXYGEN_IN_AIR) };
         }
     }
 }

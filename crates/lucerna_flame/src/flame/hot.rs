@@ -1,19 +1,20 @@
 //! The shape of gas that burns in the air: how far each spine reaches, and how wide it is.
 //!
-//! What is drawn is what glows: gas hot enough for its soot to be seen, and fuel that burns at its rim. A spine is the
-//! line of particles that left its root, as far up as they glow; around it the edge is looked for in the air.
+//! What is drawn is gas whose fuel has not burnt up: soot forms and glows in it, and burns away with the last of the
+//! fuel. Above and beside it there is only hot, clear gas. A spine is the line of particles that left its root, as far
+//! up as they are in such gas; around it the edge is looked for in the air.
 
 use super::Flame;
-use crate::air::{Air, Gas, ROOM_K};
+use crate::air::{Air, Gas};
 use crate::net::HIGHEST;
 use crate::random::Fnv;
 use crate::spine::Spine;
 use glam::Vec3;
 use lucerna_fluid::OXYGEN_IN_AIR;
 
-/// Temperature from which soot is seen to glow, K. Soot in flames is measured at 1000 to 1900 K (the FM burner of the `MaCFP` database:
-/// 1440 to 1540 K on average); below, it is dark red next to the rest. On grids, a temperature is the mean over a cell.
-const GLOWS_K: f32 = 1000.0;
+/// Share of the fuel in the gas, burnt or not, that is left at the edge of the flame. Calibrated: it makes candles of
+/// 80 W and the pans of the laws as high as they are measured.
+const BURNT_OUT: f32 = 0.1;
 /// Points on a chain at which the gas is looked at.
 const PROBES: usize = 32;
 /// Most steps outwards from a spine.
@@ -41,7 +42,7 @@ pub(crate) struct Hot {
 struct Ray {
     from: Vec3,
     way: Vec3,
-    /// How much it glowed a step before, over what is the edge.
+    /// [`Sheet::inside`] a step before.
     before: f32,
     radius_m: f32,
     ended: bool,
@@ -82,25 +83,28 @@ impl Hot {
     }
 }
 
-/// How gas is judged: 1 at the edge of what glows.
+/// How gas is judged.
 #[derive(Clone, Copy)]
-struct Glow {
-    /// Mass fraction of fuel that burns in the air around it to the last of both.
-    stoichiometric: f32,
+struct Sheet {
+    /// Oxygen that a kilogram of fuel uses up, kg.
+    oxygen_kg_kg: f32,
 }
 
-impl Glow {
-    fn of(self, gas: Gas) -> f32 {
-        let heat = (gas.temperature_k - ROOM_K) / (GLOWS_K - ROOM_K);
-        heat.max(gas.fuel / self.stoichiometric)
+impl Sheet {
+    /// Fuel beyond the share at the edge, kg a kg: above 0 inside the flame, and smooth through its edge.
+    fn inside(self, gas: Gas) -> f32 {
+        // Air brought (1 - Z) times its oxygen along, Z the fuel, burnt or not, and each burnt kilogram took its part.
+        let missing = OXYGEN_IN_AIR * (1.0 - gas.fuel) - gas.oxygen;
+        let burnt = (missing / (self.oxygen_kg_kg + OXYGEN_IN_AIR)).max(0.0);
+        // Air has neither; a millionth of fuel is what transport rounds.
+        (1.0 - BURNT_OUT) * gas.fuel - BURNT_OUT * burnt - 1e-6
     }
 }
 
 impl Flame {
     /// Carries the particles and finds the shape anew.
     pub(super) fn step_hot(&mut self, air: &impl Air, dt_s: f32) {
-        let oxygen = self.settings.drive.fuel().map_or(1.0, |fuel| fuel.gas().oxygen_kg_kg);
-        let glow = Glow { stoichiometric: OXYGEN_IN_AIR / (oxygen + OXYGEN_IN_AIR) };
+        let sheet = Sheet { oxygen_kg_kg: self.settings.drive.fuel().map_or(1.0, |fuel| fuel.gas().oxygen_kg_kg) };
         let Some(hot) = &mut self.hot else { return };
         let tallest = hot.tips_s.iter().copied().fold(0.0, f32::max);
         self.chains.set_life((1.5 * tallest + 4.0 * dt_s).clamp(KEPT_S[0], KEPT_S[1]));
@@ -112,17 +116,17 @@ impl Flame {
             let (points, gas) = (&mut hot.points[..PROBES], &mut hot.gas[..PROBES]);
             self.chains.sample(lead, spacing, points);
             air.gas(points, gas);
-            let tip = spacing * tip(points, gas, glow, width);
+            let tip = spacing * tip(points, gas, sheet, width);
             let now = &mut hot.tips_s[lead];
             // Gas rises no faster than it ages, however much of it there is.
             *now += (tip - *now).min(dt_s).max(-*now * (1.0 - (-dt_s / FOLLOWS_S).exp()));
         }
         self.trace_spines();
-        self.measure(air, glow, dt_s);
+        self.measure(air, sheet, dt_s);
     }
 
     /// Looks for the edge outwards from all points of the spines, all rays a step at a time.
-    fn measure(&mut self, air: &impl Air, glow: Glow, dt_s: f32) {
+    fn measure(&mut self, air: &impl Air, sheet: Sheet, dt_s: f32) {
         let Some(hot) = &mut self.hot else { return };
         let n = self.row.len();
         let width = self.settings.skeletons.width_m;
@@ -144,10 +148,10 @@ impl Flame {
             air.gas(&hot.points[..hot.rays.len()], &mut hot.gas[..hot.rays.len()]);
             let mut all_ended = true;
             for (ray, gas) in hot.rays.iter_mut().zip(&hot.gas).filter(|(ray, _)| !ray.ended) {
-                let here = glow.of(*gas);
-                if here < 1.0 {
+                let here = sheet.inside(*gas);
+                if here < 0.0 {
                     ray.ended = true;
-                    let share = (ray.before - 1.0) / (ray.before - here).max(1e-6);
+                    let share = ray.before / (ray.before - here).max(1e-6);
                     ray.radius_m = (distance - step + step * share.clamp(0.0, 1.0)).max(0.0);
                 } else {
                     (ray.before, ray.radius_m, all_ended) = (here, distance, false);
@@ -173,11 +177,11 @@ impl Flame {
     }
 }
 
-/// How far the gas glows up a chain, in points; it may begin to a little above the root.
-fn tip(points: &[Vec3], gas: &[Gas], glow: Glow, width_m: f32) -> f32 {
+/// How far up a chain the flame reaches, in points; it may begin a little above the root.
+fn tip(points: &[Vec3], gas: &[Gas], sheet: Sheet, width_m: f32) -> f32 {
     let near = |k: &usize| points[*k].distance(points[0]) <= 2.0 * width_m;
-    let Some(first) = (0..points.len()).take_while(near).find(|k| glow.of(gas[*k]) >= 1.0) else { return 0.0 };
-    let Some(end) = (first..points.len()).find(|k| glow.of(gas[*k]) < 1.0) else { return (points.len() - 1) as f32 };
-    let (above, below) = (glow.of(gas[end - 1]), glow.of(gas[end]));
-    (end - 1) as f32 + (above - 1.0) / (above - below).max(1e-6)
+    let inside = |k: usize| sheet.inside(gas[k]);
+    let Some(first) = (0..points.len()).take_while(near).find(|k| inside(*k) >= 0.0) else { return 0.0 };
+    let Some(end) = (first..points.len()).find(|k| inside(*k) < 0.0) else { return (points.len() - 1) as f32 };
+    (end - 1) as f32 + inside(end - 1) / (inside(end - 1) - inside(end)).max(1e-6)
 }
