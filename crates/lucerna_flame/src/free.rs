@@ -52,6 +52,11 @@ impl Free {
         self.points.clone_from(&old.points);
     }
 
+    /// Its spine.
+    pub(crate) fn spine(&self) -> &[Vec3] {
+        &self.points[..self.count()]
+    }
+
     fn count(&self) -> usize {
         self.lengths.len()
     }
@@ -68,8 +73,13 @@ impl Free {
 
     /// Carries it with the air. Only the spine moves freely: left to themselves the slower rows would fall
     /// behind and turn so short a flame inside out.
-    pub(crate) fn step(&mut self, air: &impl Air, dt_s: f32) {
+    ///
+    /// One that has gas left to burn (`lasts`) stays young until that is used up.
+    pub(crate) fn step(&mut self, air: &impl Air, dt_s: f32, lasts: bool) {
         self.age_s += dt_s;
+        if lasts {
+            self.age_s = self.age_s.min(BREAK_S);
+        }
         self.burning &= self.age_s < self.life_s;
         if self.burning {
             let n = self.count();

@@ -12,6 +12,8 @@ use lucerna_frame::FlameShade;
 const TIGHTEST: f32 = 0.5;
 /// Least length of a spine, as a share of the flame's width.
 const SHORTEST: f32 = 1.0;
+/// Age of the gas at the tip from which a flame that burns in the air is drawn in full, s.
+const SEEN_S: f32 = 0.02;
 /// Least distance of neighbouring lead skeletons along the wick, as a share of that of their roots.
 const LEAST_GAP: f32 = 0.25;
 
@@ -159,7 +161,8 @@ impl Flame {
             let x = x.min(1.0);
             x * x * (3.0 - 2.0 * x)
         };
-        rise(3.0 * self.fire.power)
+        // Gas that has hardly caught fire yet has no shape of its own.
+        rise(3.0 * self.fire.power) * self.hot.as_ref().map_or(1.0, |hot| rise(hot.tallest_s() / SEEN_S))
     }
 
     pub(crate) fn hash(&self, fnv: &mut Fnv) {

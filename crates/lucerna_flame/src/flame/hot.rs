@@ -12,9 +12,13 @@ use crate::spine::Spine;
 use glam::Vec3;
 use lucerna_fluid::OXYGEN_IN_AIR;
 
-/// Share of the fuel in the gas, burnt or not, that is left at the edge of the flame. Calibrated: it makes candles of
-/// 80 W and the pans of the laws as high as they are measured.
-const BURNT_OUT: f32 = 0.1;
+/// Unburnt fuel at the edge of the flame, over what air burns to the last. Calibrated: candles of 80 W are as high as
+/// measured.
+const BURNT_OUT: f32 = 0.2;
+/// Most tips of one flame that have parted from it and still burn.
+pub(super) const FREE: usize = 6;
+/// Time in which a parted tip dies down once its fuel has burnt up, s.
+const DIES_S: f32 = 0.25;
 /// Points on a chain at which the gas is looked at.
 const PROBES: usize = 32;
 /// Most steps outwards from a spine.
@@ -61,6 +65,11 @@ impl Hot {
         }
     }
 
+    /// Age of the gas at the highest tip, s.
+    pub(super) fn tallest_s(&self) -> f32 {
+        self.tips_s.iter().copied().fold(0.0, f32::max)
+    }
+
     /// Age of the gas at the tip of a lead's spine, s.
     pub(super) fn tip_s(&self, lead: usize) -> f32 {
         self.tips_s[lead]
@@ -91,13 +100,9 @@ struct Sheet {
 }
 
 impl Sheet {
-    /// Fuel beyond the share at the edge, kg a kg: above 0 inside the flame, and smooth through its edge.
+    /// Fuel beyond that at the edge, kg a kg: above 0 inside the flame.
     fn inside(self, gas: Gas) -> f32 {
-        // Air brought (1 - Z) times its oxygen along, Z the fuel, burnt or not, and each burnt kilogram took its part.
-        let missing = OXYGEN_IN_AIR * (1.0 - gas.fuel) - gas.oxygen;
-        let burnt = (missing / (self.oxygen_kg_kg + OXYGEN_IN_AIR)).max(0.0);
-        // Air has neither; a millionth of fuel is what transport rounds.
-        (1.0 - BURNT_OUT) * gas.fuel - BURNT_OUT * burnt - 1e-6
+        gas.fuel - BURNT_OUT * OXYGEN_IN_AIR / (self.oxygen_kg_kg + OXYGEN_IN_AIR)
     }
 }
 
@@ -106,20 +111,45 @@ impl Flame {
     pub(super) fn step_hot(&mut self, air: &impl Air, dt_s: f32) {
         let sheet = Sheet { oxygen_kg_kg: self.settings.drive.fuel().map_or(1.0, |fuel| fuel.gas().oxygen_kg_kg) };
         let Some(hot) = &mut self.hot else { return };
-        let tallest = hot.tips_s.iter().copied().fold(0.0, f32::max);
+        let tallest = hot.tallest_s();
         self.chains.set_life((1.5 * tallest + 4.0 * dt_s).clamp(KEPT_S[0], KEPT_S[1]));
         self.chains.step(air, dt_s, |_, _, _| Vec3::ZERO);
+        for free in self.free.iter_mut().filter(|free| free.burning) {
+            let gas = &mut hot.gas[..free.spine().len()];
+            air.gas(free.spine(), gas);
+            let lasts = gas.iter().any(|gas| sheet.inside(*gas) > 0.0);
+            free.step(air, dt_s, lasts);
+        }
         let width = self.settings.skeletons.width_m;
+        let mut parted = None;
         for lead in 0..hot.tips_s.len() {
             let oldest = self.chains.oldest_s();
             let spacing = oldest / (PROBES - 1) as f32;
             let (points, gas) = (&mut hot.points[..PROBES], &mut hot.gas[..PROBES]);
             self.chains.sample(lead, spacing, points);
             air.gas(points, gas);
-            let tip = spacing * tip(points, gas, sheet, width);
+            let (tip, beyond) = reach(points, gas, sheet, width);
+            let tip = spacing * tip;
             let now = &mut hot.tips_s[lead];
+            // What was part of the flame a moment ago has parted from it.
+            if let Some([low, high]) = beyond.map(|ends| ends.map(|k| spacing * k as f32))
+                && tip > 0.0
+                && *now >= 0.5 * (low + high)
+                && self.fire.lit
+            {
+                parted = parted.or(Some((lead, low / *now)));
+            }
             // Gas rises no faster than it ages, however much of it there is.
             *now += (tip - *now).min(dt_s).max(-*now * (1.0 - (-dt_s / FOLLOWS_S).exp()));
+        }
+        if let Some((lead, cut)) = parted
+            && self.free.iter().any(|free| !free.burning)
+        {
+            self.build_net();
+            self.cut_off(lead, cut.min(0.9), DIES_S);
+            if let Some(hot) = &mut self.hot {
+                hot.tips_s[lead] *= cut;
+            }
         }
         self.trace_spines();
         self.measure(air, sheet, dt_s);
@@ -177,11 +207,17 @@ impl Flame {
     }
 }
 
-/// How far up a chain the flame reaches, in points; it may begin a little above the root.
-fn tip(points: &[Vec3], gas: &[Gas], sheet: Sheet, width_m: f32) -> f32 {
+/// How far up a chain the flame reaches, in points (it may begin a little above the root), and the first and last point
+/// of the next stretch that burns, where it is longer than the wick is wide.
+fn reach(points: &[Vec3], gas: &[Gas], sheet: Sheet, width_m: f32) -> (f32, Option<[usize; 2]>) {
     let near = |k: &usize| points[*k].distance(points[0]) <= 2.0 * width_m;
-    let inside = |k: usize| sheet.inside(gas[k]);
-    let Some(first) = (0..points.len()).take_while(near).find(|k| inside(*k) >= 0.0) else { return 0.0 };
-    let Some(end) = (first..points.len()).find(|k| inside(*k) < 0.0) else { return (points.len() - 1) as f32 };
-    (end - 1) as f32 + inside(end - 1) / (inside(end - 1) - inside(end)).max(1e-6)
+    let (last, inside) = (points.len() - 1, |k: usize| sheet.inside(gas[k]));
+    let Some(first) = (0..=last).take_while(near).find(|k| inside(*k) >= 0.0) else { return (0.0, None) };
+    let Some(end) = (first..=last).find(|k| inside(*k) < 0.0) else { return (last as f32, None) };
+    let tip = (end - 1) as f32 + inside(end - 1) / (inside(end - 1) - inside(end)).max(1e-9);
+    let beyond = (end..=last).find(|k| inside(*k) >= 0.0).map(|low| {
+        let high = (low..=last).find(|k| inside(*k) < 0.0).unwrap_or(last);
+        [low, high]
+    });
+    (tip, beyond.filter(|[low, high]| points[*low].distance(points[*high]) > width_m))
 }

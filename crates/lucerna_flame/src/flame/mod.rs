@@ -129,7 +129,13 @@ impl Flame {
         // The sides of gas that burns are looked for in the air: only its spines are chains.
         let skeletons = if hot.is_some() { leads } else { leads + rows };
         let chains = Chains::new(rest.take(skeletons).collect(), s.lead_life_s, s.width_m);
-        let pool = if s.shed_per_s > 0.0 { (2.0 * s.shed_per_s * s.free_life_s).ceil() as usize + 1 } else { 0 };
+        let pool = if hot.is_some() {
+            hot::FREE
+        } else if s.shed_per_s > 0.0 {
+            (2.0 * s.shed_per_s * s.free_life_s).ceil() as usize + 1
+        } else {
+            0
+        };
         Ok(Self {
             seed,
             rng,
@@ -219,7 +225,7 @@ impl Flame {
             push
         });
         for free in &mut self.free {
-            free.step(air, dt_s);
+            free.step(air, dt_s, false);
         }
         self.trace_spines();
         let points = self.row.len();

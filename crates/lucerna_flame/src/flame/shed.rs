@@ -45,12 +45,12 @@ impl Flame {
             self.build_net();
             let cut = 0.5 + 0.4 * height;
             self.tongues[lead].cut = Some(cut);
-            self.cut_off(lead, cut);
+            self.cut_off(lead, cut, self.settings.skeletons.free_life_s);
         }
     }
 
     /// Makes a free flame of what lies above the share `cut` of a tongue.
-    fn cut_off(&mut self, lead: usize, cut: f32) {
+    pub(super) fn cut_off(&mut self, lead: usize, cut: f32, life_s: f32) {
         let n = self.row.len();
         let Some(free) = self.free.iter_mut().find(|f| !f.burning) else { return };
         let range = lead * n..(lead + 1) * n;
@@ -68,7 +68,7 @@ impl Flame {
         let bottom = spine.length_at(0.5 * (chain(sides[0], cut) + chain(sides[1], cut)));
         let width = self.settings.skeletons.width_m;
         let side = self.roots.peripherals[sides[0]].outward;
-        let (middle, rows) = free.light(self.settings.skeletons.free_life_s, side).split_at_mut(n);
+        let (middle, rows) = free.light(life_s, side).split_at_mut(n);
         for (k, point) in middle.iter_mut().enumerate() {
             *point = spine.at(bottom + (spine.total() - bottom) * k as f32 / (n - 1) as f32);
         }
