@@ -36,6 +36,7 @@ pub(crate) fn builder(air: &Air, burning: Option<Combustion>) -> FluidBuilder {
             AirAdvection::MacCormack => Advection::MacCormack,
             AirAdvection::Reflection => Advection::Reflection,
             AirAdvection::Cubic => Advection::Cubic,
+            AirAdvection::Conservative => Advection::Conservative,
         })
         .scalar_advection(match air.heat_advection {
             HeatAdvection::SemiLagrangian => ScalarAdvection::SemiLagrangian,

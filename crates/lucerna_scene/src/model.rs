@@ -72,6 +72,9 @@ pub enum AirAdvection {
     Reflection,
     /// From where the air was, by cubics that make no new extremes.
     Cubic,
+    /// With the mass that carries it, in parts of half a cell a step: plumes roll up and puff as they should, at many
+    /// times the cost.
+    Conservative,
 }
 
 /// How the air carries its heat.

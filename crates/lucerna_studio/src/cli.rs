@@ -91,7 +91,7 @@ pub struct ExportArgs {
     /// Write the control nets of every frame as JSON.
     #[arg(long)]
     pub nets: bool,
-    /// Write the lights of all frames as a table.
+    /// Write the lights of all frames, and what each flame gives off, as tables.
     #[arg(long)]
     pub lights: bool,
     /// Number of frames, 1 to 100000.

@@ -6,7 +6,7 @@ use crate::progress::Progress;
 use crate::record::check_file;
 use anyhow::{Context, Result};
 use lucerna::World;
-use lucerna::export::{ExportError, GlbSequence, LightTable, write_nets, write_obj};
+use lucerna::export::{ExportError, FlameTable, GlbSequence, LightTable, write_nets, write_obj};
 use lucerna::scene::LoadedScene;
 use std::fs::{self, File};
 use std::io::{BufWriter, Write};
@@ -44,6 +44,7 @@ struct Files<'a> {
     args: &'a ExportArgs,
     gltf: Option<(PathBuf, GlbSequence)>,
     lights: Option<(PathBuf, LightTable<BufWriter<File>>)>,
+    flames: Option<(PathBuf, FlameTable<BufWriter<File>>)>,
 }
 
 impl<'a> Files<'a> {
@@ -51,7 +52,7 @@ impl<'a> Files<'a> {
     fn new(args: &'a ExportArgs) -> Result<Self> {
         let folder = &args.out;
         fs::create_dir_all(folder).with_context(|| format!("cannot make the folder {}", folder.display()))?;
-        let mut files = Self { args, gltf: None, lights: None };
+        let mut files = Self { args, gltf: None, lights: None, flames: None };
         match args.format {
             FormatArg::Obj => check_file(&files.numbered("flames", 0, "obj"))?,
             FormatArg::Gltf => {
@@ -68,6 +69,10 @@ impl<'a> Files<'a> {
             let table = File::create(&path).map_err(ExportError::from);
             let table = table.and_then(|file| LightTable::new(BufWriter::new(file))).with_context(|| cannot(&path))?;
             files.lights = Some((path, table));
+            let path = folder.join("flames.csv");
+            let table = File::create(&path).map_err(ExportError::from);
+            let table = table.and_then(|file| FlameTable::new(BufWriter::new(file))).with_context(|| cannot(&path))?;
+            files.flames = Some((path, table));
         }
         Ok(files)
     }
@@ -87,6 +92,9 @@ impl<'a> Files<'a> {
         if let Some((path, table)) = &mut self.lights {
             table.push(world.flames()).with_context(|| cannot(path))?;
         }
+        if let Some((path, table)) = &mut self.flames {
+            table.push(world.flames()).with_context(|| cannot(path))?;
+        }
         Ok(())
     }
 
@@ -104,6 +112,10 @@ impl<'a> Files<'a> {
             written.push(format!("wrote {frames} files of control nets to {folder}"));
         }
         if let Some((path, table)) = self.lights {
+            table.finish().with_context(|| cannot(&path))?;
+            written.push(format!("wrote {} ({frames} frames)", path.display()));
+        }
+        if let Some((path, table)) = self.flames {
             table.finish().with_context(|| cannot(&path))?;
             written.push(format!("wrote {} ({frames} frames)", path.display()));
         }

@@ -6,6 +6,7 @@
 //! | [`GlbSequence`] | the surfaces of many frames in one binary glTF 2.0, shown one after the other |
 //! | [`write_nets`] | the control nets of one frame as JSON, for `lucerna_nurbs` |
 //! | [`LightTable`] | the lights of many frames as CSV, in candela |
+//! | [`FlameTable`] | what each flame gives off: volume, power, centroid, colour, as CSV |
 //!
 //! Units are those of the frame: metres, seconds, `y` up, linear colours. `docs/export.md` describes the files.
 //!
@@ -29,7 +30,7 @@ mod nets;
 mod obj;
 
 pub use gltf::GlbSequence;
-pub use lights::LightTable;
+pub use lights::{FlameTable, LightTable};
 pub use nets::write_nets;
 pub use obj::write_obj;
 

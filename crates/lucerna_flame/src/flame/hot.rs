@@ -15,6 +15,9 @@ use lucerna_fluid::OXYGEN_IN_AIR;
 /// Unburnt fuel at the edge of the flame, over what air burns to the last. Calibrated: candles of 80 W are as high as
 /// measured.
 const BURNT_OUT: f32 = 0.2;
+/// Thickness of a flame's sheet, m. A cell wider than this that a sheet crosses holds less fuel on average, by the share
+/// of the cell that it fills. Calibrated with the pan fires.
+const SHEET_M: f32 = 0.003;
 /// Most tips of one flame that have parted from it and still burn.
 pub(super) const FREE: usize = 6;
 /// Time in which a parted tip dies down once its fuel has burnt up, s.
@@ -95,21 +98,23 @@ impl Hot {
 /// How gas is judged.
 #[derive(Clone, Copy)]
 struct Sheet {
-    /// Oxygen that a kilogram of fuel uses up, kg.
-    oxygen_kg_kg: f32,
+    /// Mass fraction of fuel at its edge.
+    fuel: f32,
 }
 
 impl Sheet {
     /// Fuel beyond that at the edge, kg a kg: above 0 inside the flame.
     fn inside(self, gas: Gas) -> f32 {
-        gas.fuel - BURNT_OUT * OXYGEN_IN_AIR / (self.oxygen_kg_kg + OXYGEN_IN_AIR)
+        gas.fuel - self.fuel
     }
 }
 
 impl Flame {
     /// Carries the particles and finds the shape anew.
     pub(super) fn step_hot(&mut self, air: &impl Air, dt_s: f32) {
-        let sheet = Sheet { oxygen_kg_kg: self.settings.drive.fuel().map_or(1.0, |fuel| fuel.gas().oxygen_kg_kg) };
+        let oxygen = self.settings.drive.fuel().map_or(1.0, |fuel| fuel.gas().oxygen_kg_kg);
+        let filled = (SHEET_M / air.cell_m().max(1e-6)).min(1.0);
+        let sheet = Sheet { fuel: BURNT_OUT * filled * OXYGEN_IN_AIR / (oxygen + OXYGEN_IN_AIR) };
         let Some(hot) = &mut self.hot else { return };
         let tallest = hot.tallest_s();
         self.chains.set_life((1.5 * tallest + 4.0 * dt_s).clamp(KEPT_S[0], KEPT_S[1]));

@@ -37,6 +37,7 @@ pub(super) fn show(ui: &mut Ui, air: &mut Air) {
             ("MacCormack", AirAdvection::MacCormack),
             ("reflection", AirAdvection::Reflection),
             ("cubic", AirAdvection::Cubic),
+            ("conservative", AirAdvection::Conservative),
         ];
         let tooltip =
             "How the air carries its own motion: semi-Lagrangian is the fastest, with reflection eddies live longest.";
