@@ -15,6 +15,7 @@ use crate::scalars::Scalars;
 pub(crate) struct Physics {
     pub(crate) density: Density,
     pub(crate) smagorinsky: f32,
+    pub(crate) deardorff: f32,
     pub(crate) turbulent_prandtl: f32,
     pub(crate) combustion: Option<Combustion>,
     pub(crate) radiation: Option<Radiation>,
@@ -25,6 +26,7 @@ impl Default for Physics {
         Self {
             density: Density::Boussinesq,
             smagorinsky: 0.0,
+            deardorff: 0.0,
             turbulent_prandtl: 0.7,
             combustion: None,
             radiation: None,
@@ -33,6 +35,11 @@ impl Default for Physics {
 }
 
 impl Physics {
+    /// Whether eddies too small for the grid act.
+    pub(crate) fn has_eddies(&self) -> bool {
+        self.smagorinsky > 0.0 || self.deardorff > 0.0
+    }
+
     /// Whether heat makes the air expand.
     pub(crate) fn expands(&self) -> bool {
         self.density == Density::LowMach || self.combustion.is_some_and(|combustion| combustion.expansion > 0.0)
@@ -40,6 +47,7 @@ impl Physics {
 
     pub(crate) fn check(&self, grid: &Grid, scalars: &Scalars, advection: ScalarAdvection) -> Result<(), FluidError> {
         check("smagorinsky", self.smagorinsky, 0.0, 1.0, "0 to 1")?;
+        check("deardorff", self.deardorff, 0.0, 1.0, "0 to 1")?;
         check("turbulent_prandtl", self.turbulent_prandtl, 0.1, 10.0, "0.1 to 10")?;
         if self.density == Density::LowMach && grid.is_sealed() {
             return Err(FluidError::SealedLowMach);
@@ -71,6 +79,15 @@ impl FluidBuilder {
     /// of a cell and |S| the rate of strain. Default: 0, which skips the work.
     pub fn smagorinsky(mut self, constant: f32) -> Self {
         self.physics.smagorinsky = constant;
+        self
+    }
+
+    /// Deardorff's constant `C_v`, 0 to 1; 0.1 is usual. Eddies too small for the grid then act as a
+    /// viscosity `C_v w sqrt(k)`, w the width of a cell and k half the square of what the velocity
+    /// differs by from its mean over a cell and its neighbours (FDS Technical Reference Guide): none
+    /// where it changes linearly. Takes the place of Smagorinsky's. Default: 0, which skips the work.
+    pub fn deardorff(mut self, constant: f32) -> Self {
+        self.physics.deardorff = constant;
         self
     }
 

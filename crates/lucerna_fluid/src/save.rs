@@ -14,7 +14,7 @@ use crate::sides::GivenSides;
 use crate::source::{Placed, SavedSources};
 
 /// Version of what is saved; rises whenever that changes.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// All that makes a fluid go on as it would have: its description, its state, and what has been
 /// added for the coming step. Made by [`Fluid::save`]; read by [`Fluid::load`] and

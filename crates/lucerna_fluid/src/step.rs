@@ -101,8 +101,10 @@ impl Fluid {
         fix_sides(grid, &mut state.velocity, walls);
         let held = solids.as_deref().map_or(Held::default(), Solids::held);
         let Scratch { next_velocity, coefficients, strain, .. } = scratch;
-        let eddies = settings.physics.smagorinsky > 0.0;
-        if eddies {
+        let eddies = settings.physics.has_eddies();
+        if settings.physics.deardorff > 0.0 {
+            strain.become_deardorff(grid, &state.velocity, settings.physics.deardorff);
+        } else if eddies {
             strain.measure(grid, &state.velocity);
             strain.become_viscosity(grid, settings.physics.smagorinsky);
         }
@@ -119,7 +121,7 @@ impl Fluid {
         let Self { grid, state, settings, given, scalars, solids, .. } = self;
         let held = solids.as_deref().map_or(Held::default(), Solids::held);
         let Scratch { next_temperature, coefficients, strain, scalar, .. } = scratch;
-        let eddies = settings.physics.smagorinsky > 0.0;
+        let eddies = settings.physics.has_eddies();
         if eddies {
             strain.scale(grid, 1.0 / settings.physics.turbulent_prandtl);
         }

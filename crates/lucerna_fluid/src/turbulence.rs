@@ -5,6 +5,8 @@
 //! `|S| = sqrt(2 S_ij S_ij)` with the rate of strain S. The diagonal of S is exact on this grid;
 //! the rest comes from central differences of the velocities at the centres.
 
+mod deardorff;
+
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::parallel::for_planes;

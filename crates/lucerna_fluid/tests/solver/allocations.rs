@@ -55,7 +55,7 @@ fn a_step_in_steady_state_allocates_nothing() {
                 .advection(Advection::Conservative)
                 .density(Density::LowMach)
                 .combustion(Combustion::new(Fuel::WOOD))
-                .smagorinsky(0.1),
+                .deardorff(0.1),
         ),
         ("obstacles", plume().viscosity_m2_s(1.0e-4)),
         ("large", Fluid::builder([26; 3]).sides(Sides::OPEN).viscosity_m2_s(1.0e-4).vorticity_confinement(2.0)),

@@ -30,6 +30,7 @@ fn the_builder_refuses_what_it_cannot_build() {
         refused(good().cooling_per_s(bad), "cooling_per_s");
         refused(good().thermal_diffusivity_m2_s(bad), "thermal_diffusivity_m2_s");
         refused(good().smagorinsky(bad), "smagorinsky");
+        refused(good().deardorff(bad), "deardorff");
         refused(good().turbulent_prandtl(bad), "turbulent_prandtl");
         refused(good().scalar_with_outside("soot", bad * 1.0e9), "scalar");
         refused(good().size_m(Vec3::new(1.0, bad, 1.0)), "size_m");

@@ -337,6 +337,7 @@ proptest! {
         let advection =
             [Advection::MacCormack, Advection::Reflection, Advection::Conservative][(3.0 * random.next()) as usize];
         let builder = builder.advection(advection).combustion(Combustion::new(Fuel::WOOD)).smagorinsky(0.2);
+        let builder = if random.next() < 0.5 { builder } else { builder.deardorff(0.1) };
         fluid = builder.wind(fluid.wind()).build().unwrap();
         fluid.fill_velocity(random_velocity(seed, 5.0)).unwrap();
         fluid.fill_temperature(|point| 800.0 * (point.x * 7.0).sin().abs()).unwrap();
