@@ -103,9 +103,7 @@ impl FluidBuilder {
     }
 
     /// Kinematic viscosity, m²/s, 0 to 1e3; 1.5e-5 for air at room temperature, which few grids
-    /// resolve. Raising it damps small eddies. With [`Advection::Conservative`] and
-    /// [`crate::Density::LowMach`] it is that of ambient air, and hot gas is more viscous by
-    /// Sutherland's law (a flame 15 times). Default: 0, which skips the work.
+    /// resolve. Raising it damps small eddies. Default: 0, which skips the work.
     pub fn viscosity_m2_s(mut self, viscosity_m2_s: f32) -> Self {
         self.viscosity_m2_s = viscosity_m2_s;
         self

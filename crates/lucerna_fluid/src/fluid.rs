@@ -5,7 +5,6 @@ use std::sync::Arc;
 use glam::Vec3;
 
 use crate::advect::{Advection, ScalarAdvection, Trace};
-use crate::density::Density;
 use crate::error::{FluidError, check};
 use crate::field::Field;
 use crate::grid::Grid;
@@ -36,13 +35,6 @@ pub(crate) struct Settings {
     pub(crate) cfl_limit: Option<f32>,
     pub(crate) max_substeps: u32,
     pub(crate) physics: Physics,
-}
-
-impl Settings {
-    /// Whether gas gets more viscous as it gets hot.
-    pub(crate) fn thickens(&self) -> bool {
-        self.physics.density == Density::LowMach && self.advection == Advection::Conservative
-    }
 }
 
 /// What time changes.

@@ -108,14 +108,8 @@ impl Fluid {
             strain.measure(grid, &state.velocity);
             strain.become_viscosity(grid, settings.physics.smagorinsky);
         }
-        let viscosity = if settings.thickens() && settings.viscosity_m2_s > 0.0 {
-            let kelvin = &state.temperature.data;
-            strain.add_molecular(grid, kelvin, settings.ambient_k, settings.viscosity_m2_s, eddies.then_some(1.0));
-            Diffusivity { uniform_m2_s: 0.0, eddy_m2_s: Some(&strain.in_all) }
-        } else {
-            let eddy_m2_s = eddies.then_some(strain.viscosity.as_slice());
-            Diffusivity { uniform_m2_s: settings.viscosity_m2_s, eddy_m2_s }
-        };
+        let eddy_m2_s = eddies.then_some(strain.viscosity.as_slice());
+        let viscosity = Diffusivity { uniform_m2_s: settings.viscosity_m2_s, eddy_m2_s };
         if viscosity.acts() {
             diffuse_velocity(grid, &mut state.velocity, viscosity, dt_s, walls, held, next_velocity, coefficients);
             fix_sides(grid, &mut state.velocity, walls);
@@ -128,18 +122,11 @@ impl Fluid {
         let held = solids.as_deref().map_or(Held::default(), Solids::held);
         let Scratch { next_temperature, coefficients, strain, scalar, .. } = scratch;
         let eddies = settings.physics.has_eddies();
-        let per_prandtl = 1.0 / settings.physics.turbulent_prandtl;
-        let uniform_m2_s = settings.thermal_diffusivity_m2_s;
-        let conduction = if settings.thickens() && uniform_m2_s > 0.0 {
-            let kelvin = &state.temperature.data;
-            strain.add_molecular(grid, kelvin, settings.ambient_k, uniform_m2_s, eddies.then_some(per_prandtl));
-            Diffusivity { uniform_m2_s: 0.0, eddy_m2_s: Some(&strain.in_all) }
-        } else {
-            if eddies {
-                strain.scale(grid, per_prandtl);
-            }
-            Diffusivity { uniform_m2_s, eddy_m2_s: eddies.then_some(strain.viscosity.as_slice()) }
-        };
+        if eddies {
+            strain.scale(grid, 1.0 / settings.physics.turbulent_prandtl);
+        }
+        let eddy_m2_s = eddies.then_some(strain.viscosity.as_slice());
+        let conduction = Diffusivity { uniform_m2_s: settings.thermal_diffusivity_m2_s, eddy_m2_s };
         if conduction.acts() {
             let is_thinned = settings.physics.density == Density::LowMach;
             let ambient_k = settings.ambient_k;

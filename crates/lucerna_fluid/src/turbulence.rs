@@ -6,7 +6,6 @@
 //! the rest comes from central differences of the velocities at the centres.
 
 mod deardorff;
-mod molecular;
 
 use crate::field::Field;
 use crate::grid::Grid;
@@ -20,8 +19,6 @@ pub(crate) struct Strain {
     pub(crate) values: Vec<f32>,
     /// Viscosity (or diffusivity) of eddies by cell, m²/s.
     pub(crate) viscosity: Vec<f32>,
-    /// The same with that of the gas itself, where that varies.
-    pub(crate) in_all: Vec<f32>,
     per_m: [Vec<f32>; 3],
 }
 
