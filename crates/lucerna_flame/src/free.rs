@@ -90,7 +90,7 @@ impl Free {
             let (spine, rows) = self.points.split_at_mut(n);
             let widest = rows.iter().map(|p| p.length_squared()).fold(0.0, f32::max).sqrt().max(1e-5);
             let stands = (spine[1] - spine[0]).normalize_or(Vec3::Y);
-            let limits = Limits { stands, least_m: SHORTEST * widest, bend_m: TIGHTEST * widest };
+            let limits = Limits { stands, least_m: SHORTEST * widest, bend_m: TIGHTEST * widest, along: Vec3::ZERO };
             spine::straighten(spine, &mut self.lengths, &mut self.shaped, limits);
             // The side turns with the flame: were it to stay, a flame that leans towards it would twist.
             self.side = frame(direction(spine, 0), self.side).x_axis;
@@ -107,7 +107,7 @@ impl Free {
     pub(crate) fn build_net(&mut self, plan: &SurfacePlan) {
         let n = self.count();
         let x = (self.age_s / self.life_s).clamp(0.0, 1.0);
-        let size = (1.0 - x * x).max(0.02);
+        let size = (1.0 - x * x).max(0.05);
         let (spine, rows) = self.points.split_at_mut(n);
         spine::measure(spine, &mut self.lengths);
         let spine = Spine { points: spine, lengths: &self.lengths };

@@ -104,6 +104,50 @@ pub(crate) fn write_row(out: &mut [[f32; 3]], spine: &Spine<'_>, row: &[Vec3]) {
     }
 }
 
+/// Least cosine between the way down a flame and the area vector of a ring of its net.
+const LEAST_FACING: f32 = 0.3;
+/// How often rings are looked at, and how far one that does not face the root is drawn to an even one each time.
+const ROUNDS: usize = 5;
+const EVEN: f32 = 0.5;
+
+/// Draws rings of a net that the air has turned against their neighbours to even ones: as wide on the mean, at one
+/// height, across the spines. Other rings stay as they are. `spines` has that of each row, and the row's outward
+/// direction where it stands upright.
+pub(crate) fn relax<'a>(net: &mut [[f32; 3]], columns: usize, spines: impl Fn(usize) -> (Spine<'a>, Vec3)) {
+    let rows = net.len() / columns;
+    for _ in 0..ROUNDS {
+        let mut even = true;
+        for c in 1..columns - 1 {
+            let at = |r: usize, c: usize| Vec3::from(net[r % rows * columns + c]);
+            let middle = |c: usize| (0..rows).map(|r| at(r, c)).sum::<Vec3>() / rows as f32;
+            let (center, down) = (middle(c), middle(c + 1) - middle(c - 1));
+            let area = (0..rows).map(|r| (at(r, c) - center).cross(at(r + 1, c) - center)).sum::<Vec3>();
+            if area.dot(down) >= LEAST_FACING * area.length() * down.length() {
+                continue;
+            }
+            even = false;
+            let (mut share, mut width) = (0.0, 0.0);
+            for r in 0..rows {
+                let spine = spines(r).0;
+                let length = spine.length_at(at(r, c));
+                share += length / spine.total().max(1e-12);
+                width += spine.at(length).distance(at(r, c));
+            }
+            let (share, width) = (share / rows as f32, width / rows as f32);
+            for r in 0..rows {
+                let (spine, outward) = spines(r);
+                let height = share * spine.total();
+                let target = spine.at(height) + spine.lean(height) * outward * width;
+                let point = &mut net[r * columns + c];
+                *point = Vec3::from(*point).lerp(target, EVEN).to_array();
+            }
+        }
+        if even {
+            break;
+        }
+    }
+}
+
 /// Draws a net over to a calmer one, no farther than it takes for `is_right_side_out`.
 ///
 /// The share is found by halving, so it grows and fades smoothly with what the air does to the flame. What
@@ -139,7 +183,7 @@ mod tests {
     use super::*;
     use crate::spine::{Limits, straighten};
 
-    const LIMITS: Limits = Limits { stands: Vec3::Y, least_m: 0.1, bend_m: 0.01 };
+    const LIMITS: Limits = Limits { stands: Vec3::Y, least_m: 0.1, bend_m: 0.01, along: Vec3::ZERO };
 
     fn upright() -> (Vec<Vec3>, Vec<f32>) {
         let mut points: Vec<Vec3> = (0..9).map(|k| Vec3::Y * (0.1 * k as f32)).collect();

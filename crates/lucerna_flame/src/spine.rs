@@ -35,12 +35,26 @@ pub(crate) struct Limits {
     pub(crate) least_m: f32,
     /// Radius of its tightest bend, m.
     pub(crate) bend_m: f32,
+    /// The level direction of the wick, along which it leans less; zero for a point-like wick.
+    pub(crate) along: Vec3,
+}
+
+/// Steepness, up or across over along the wick, that a stretch keeps at least: tongues side by side that lay down on
+/// one another would turn the cuts across them over.
+const LEAST_RISE: f32 = 0.8;
+
+/// A direction that leans no more along the wick than it may: it is raised.
+fn raised(way: Vec3, along: Vec3) -> Vec3 {
+    let aside = way.dot(along).abs();
+    let across = (way - along * way.dot(along)).with_y(0.0).length();
+    let least = LEAST_RISE * aside - across;
+    if way.y >= least { way } else { way.with_y(least).normalize_or(Vec3::Y) }
 }
 
 /// Makes a line well-formed, its points equally far from their neighbours, and measures it. `scratch` and `lengths`
 /// are as long as `points`.
 pub(crate) fn straighten(points: &mut [Vec3], lengths: &mut [f32], scratch: &mut [Vec3], limits: Limits) {
-    let Limits { stands, least_m, bend_m } = limits;
+    let Limits { stands, least_m, bend_m, along } = limits;
     let last = points.len().max(2) - 1;
     measure(points, lengths);
     // Air that stands still or sinks must not crush the flame to a disc.
@@ -59,7 +73,7 @@ pub(crate) fn straighten(points: &mut [Vec3], lengths: &mut [f32], scratch: &mut
     let mut before = stands;
     for k in 1..points.len() {
         let way = (scratch[k] - scratch[k - 1]).normalize_or(before);
-        let way = turned(Vec3::Y, turned(before, way, sharpest), STEEPEST);
+        let way = raised(turned(Vec3::Y, turned(before, way, sharpest), STEEPEST), along);
         points[k] = points[k - 1] + way * stretch;
         lengths[k] = stretch * k as f32;
         before = way;

@@ -42,6 +42,9 @@ const MOST_WRONG: f32 = 0.1;
 /// Least volume, as a share of what the cuts would enclose if they faced the root.
 const LEAST_FACING: f32 = 0.15;
 
+/// Where this much of what cuts would enclose is enclosed, nothing is folded.
+const PLAIN: f32 = 0.9;
+
 /// What determines a plan.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PlanKey {
@@ -166,9 +169,13 @@ impl Surface {
             area.dot(down) > LEAST_FACING * area.length() * down.length() && area.dot(next) >= 0.0
         };
         let enclosed = right - wrong;
+        // Cuts and the net tell of the surface as it is drawn, but where it is folded.
+        let rough = volume_of(net, plan.key.columns);
+        let is_plain = enclosed >= PLAIN * most && rough >= PLAIN * enclosed;
         wrong <= MOST_WRONG * right
             && enclosed >= LEAST_FACING * most
-            && volume_of(net, plan.key.columns) >= LEAST_FACING * enclosed
+            && rough >= LEAST_FACING * enclosed
+            && (is_plain || self.drawn_volume(plan, net) >= LEAST_FACING * enclosed)
             && (!plan.poles || self.sections.windows(3).all(faces))
     }
 
@@ -184,6 +191,32 @@ impl Surface {
             }));
             self.sections.push(Section::of(&self.ring));
         }
+    }
+
+    /// What the surface encloses as it is drawn, with its samples around, m^3.
+    fn drawn_volume(&mut self, plan: &SurfacePlan, net: &[[f32; 3]]) -> f32 {
+        let (rows, around) = (plan.key.rows, plan.key.around);
+        let origin = net.first().copied().map(Vec3::from).unwrap_or_default();
+        let rings = plan.weights.len();
+        let mut drawn = vec![[0.0; 3]; rings * around];
+        for (ring, (first, weights)) in plan.weights.iter().enumerate() {
+            self.ring.clear();
+            self.ring.extend(net.chunks_exact(plan.key.columns).map(|row| {
+                let row = row[*first..*first + weights.len()].iter().zip(weights);
+                row.map(|(point, weight)| Vec3::from(*point) * *weight).sum::<Vec3>() - origin
+            }));
+            for k in 0..around {
+                // The uniform cubic spline at its parameter, in rows.
+                let (row, t) = (k * rows / around, (k * rows % around) as f32 / around as f32);
+                let at = |i: usize| self.ring[(row + i + rows - 1) % rows];
+                let u = 1.0 - t;
+                let splines =
+                    [u * u * u, 4.0 - 6.0 * t * t + 3.0 * t * t * t, 4.0 - 6.0 * u * u + 3.0 * u * u * u, t * t * t];
+                let point = (0..4).map(|i| at(i) * splines[i]).sum::<Vec3>() / 6.0;
+                drawn[k * rings + ring] = point.to_array();
+            }
+        }
+        volume_of(&drawn, rings)
     }
 
     fn evaluate(&mut self, plan: &SurfacePlan, net: &[[f32; 3]]) {
@@ -230,8 +263,9 @@ fn volume_of(net: &[[f32; 3]], columns: usize) -> f32 {
     let at = |r: usize, c: usize| Vec3::from(net[r % rows * columns + c]) - Vec3::from(net[0]);
     let six = |a: Vec3, b: Vec3, c: Vec3| a.dot(b.cross(c));
     let cell = |r: usize, c: usize| {
+        // Twisted cells enclose more or less by the diagonal along which they are cut: the one that is drawn.
         let (a, b, d, e) = (at(r, c), at(r + 1, c), at(r, c + 1), at(r + 1, c + 1));
-        six(a, b, d) + six(b, e, d)
+        six(a, b, e) + six(a, e, d)
     };
     (0..rows).flat_map(|r| (0..columns - 1).map(move |c| (r, c))).map(|(r, c)| cell(r, c)).sum::<f32>() / 6.0
 }

@@ -22,11 +22,15 @@ impl Flame {
     pub(super) fn trace_spines(&mut self) {
         let points = self.row.len();
         let s = &self.settings.skeletons;
-        let limits = Limits { stands: Vec3::Y, least_m: SHORTEST * s.width_m, bend_m: TIGHTEST * s.width_m };
         let spines = self.spines.chunks_exact_mut(points).zip(self.lengths.chunks_exact_mut(points));
         for (i, ((spine, lengths), tongue)) in spines.zip(&self.tongues).enumerate() {
             let age_s = self.hot.as_ref().map_or(s.lead_life_s * tongue.reach, |hot| hot.tip_s(i));
             self.chains.sample(i, age_s / (points - 1) as f32, spine);
+            // The row after a lead's number is beside it.
+            let is_line = self.roots.leads.len() > 1;
+            let along = if is_line { self.roots.peripherals[i + 1].outward.cross(Vec3::Y) } else { Vec3::ZERO };
+            let (least_m, bend_m) = (SHORTEST * s.width_m, TIGHTEST * s.width_m);
+            let limits = Limits { stands: Vec3::Y, least_m, bend_m, along };
             spine::straighten(spine, lengths, &mut self.row, limits);
         }
         self.part_spines();
@@ -95,6 +99,13 @@ impl Flame {
             };
             net::shape(&spine, &mut self.row, &self.heights, &self.rooms[range], how);
             net::write_row(out, &spine, &self.row);
+        }
+        if leads > 1 {
+            let (spines, lengths, rim) = (&self.spines, &self.lengths, &self.roots.peripherals);
+            net::relax(&mut self.net, points + 2, |row| {
+                let range = rim[row].lead * points..(rim[row].lead + 1) * points;
+                (Spine { points: &spines[range.clone()], lengths: &lengths[range] }, rim[row].outward)
+            });
         }
         self.calm_net(spread);
     }

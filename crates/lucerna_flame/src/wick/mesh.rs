@@ -9,6 +9,8 @@ const BINS: usize = 16;
 const SECTORS: usize = 24;
 /// How far inwards from a ring its hole begins, as a share of its radius.
 const HOLE: f32 = 0.6;
+/// Points farther from the line than so many times the median are strays.
+const STRAY: f32 = 2.5;
 /// Most clusters: the distances between all pairs are looked at.
 const MAX_CLUSTERS: usize = 3000;
 
@@ -117,10 +119,30 @@ fn spine(points: &[Vec3]) -> (Vec<Vec3>, f32) {
     let start = farthest(&distances(points, 0, reach));
     let along = distances(points, start, reach);
     let end = along.iter().copied().fold(0.0_f32, f32::max).max(1e-9);
+    let mut line = barycentres(points, |i| (along[i] / end * BINS as f32) as usize);
+    // Points far from the line, as a scan has, pull it aside: the second line is without them.
+    let off: Vec<f32> = points.iter().map(|p| distance_to_line(&line, *p)).collect();
+    let mut sorted = off.clone();
+    sorted.sort_unstable_by(f32::total_cmp);
+    let most = STRAY * sorted[sorted.len() / 2];
+    let near: Vec<usize> = (0..points.len()).filter(|&i| off[i] <= most).collect();
+    let kept: Vec<Vec3> = near.iter().map(|&i| points[i]).collect();
+    if near.len() < points.len() {
+        line = barycentres(&kept, |i| (along[near[i]] / end * BINS as f32) as usize);
+    }
+    extend(&mut line, &kept);
+    line.reverse();
+    extend(&mut line, &kept);
+    line.reverse();
+    let radius = kept.iter().map(|p| distance_to_line(&line, *p)).sum::<f32>() / kept.len() as f32;
+    (line, radius)
+}
+
+/// The barycentre of each slice that has points, smoothed along the line.
+fn barycentres(points: &[Vec3], bin_of: impl Fn(usize) -> usize) -> Vec<Vec3> {
     let mut bins = [(Vec3::ZERO, 0.0_f32); BINS];
-    let bin_of = |d: f32| ((d / end * BINS as f32) as usize).min(BINS - 1);
-    for (p, d) in points.iter().zip(&along) {
-        let bin = &mut bins[bin_of(*d)];
+    for (i, p) in points.iter().enumerate() {
+        let bin = &mut bins[bin_of(i).min(BINS - 1)];
         *bin = (bin.0 + *p, bin.1 + 1.0);
     }
     let mut line: Vec<Vec3> = bins.iter().filter(|b| b.1 > 0.0).map(|b| b.0 / b.1).collect();
@@ -128,12 +150,7 @@ fn spine(points: &[Vec3]) -> (Vec<Vec3>, f32) {
     for (point, w) in line.iter_mut().skip(1).zip(raw.windows(3)) {
         *point = (w[0] + w[1] * 2.0 + w[2]) * 0.25;
     }
-    extend(&mut line, points);
-    line.reverse();
-    extend(&mut line, points);
-    line.reverse();
-    let radius = points.iter().map(|p| distance_to_line(&line, *p)).sum::<f32>() / points.len() as f32;
-    (line, radius)
+    line
 }
 
 /// Draws the first point of the line out to where the cloud ends.
