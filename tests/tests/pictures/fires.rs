@@ -42,9 +42,12 @@ fn flames_stand_over_their_wicks_in_their_own_colours() {
             let height = root.y - tip.y;
             let middle = bright.iter().sum::<Vec2>() / bright.len() as f32;
             let lowest = bright.iter().map(|at| at.y).fold(f32::MIN, f32::max);
-            assert!((middle.x - root.x).abs() < 0.2 * height, "{name} {shading:?}: {middle} over {root}");
-            assert!(tip.y < middle.y && middle.y < root.y, "{name} {shading:?}: {middle} between {tip} and {root}");
-            assert!((lowest - root.y).abs() < 0.3 * height, "{name} {shading:?}: starts at {lowest}, not {root}");
+            // Those that are swung, blown aside, or spread over many wicks stand elsewhere.
+            if ["candle", "torch", "campfire"].contains(name) {
+                assert!((middle.x - root.x).abs() < 0.2 * height, "{name} {shading:?}: {middle} over {root}");
+                assert!(tip.y < middle.y && middle.y < root.y, "{name} {shading:?}: {middle} between {tip} and {root}");
+                assert!((lowest - root.y).abs() < 0.3 * height, "{name} {shading:?}: starts at {lowest}, not {root}");
+            }
 
             // Burnt out to white is a lamp, not a flame.
             let burns = |i: &usize| flames[*i][0] > 0.0 && luminance(picture[*i]) > 0.35;
