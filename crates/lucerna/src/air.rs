@@ -9,8 +9,8 @@ use lucerna_scene::{Air, AirAdvection, AirSides, HeatAdvection, Pressure};
 /// Most acceleration of a row that the fluid takes, m/s^2.
 const MAX_ACCELERATION_M_S2: f32 = 1e6;
 
-/// Smagorinsky's constant of air that burns: small eddies mix fuel into it.
-const SMAGORINSKY: f32 = 0.1;
+/// Deardorff's constant of air that burns: small eddies mix fuel into it.
+const DEARDORFF: f32 = 0.1;
 /// Viscosity over thermal diffusivity of gas.
 const PRANDTL: f32 = 0.7;
 
@@ -54,7 +54,7 @@ pub(crate) fn builder(air: &Air, burning: Option<Combustion>) -> FluidBuilder {
             .density(Density::LowMach)
             .scalar_advection(ScalarAdvection::Flux)
             .thermal_diffusivity_m2_s(air.viscosity_m2_s / PRANDTL)
-            .smagorinsky(SMAGORINSKY)
+            .deardorff(DEARDORFF)
             .combustion(combustion),
     }
 }
