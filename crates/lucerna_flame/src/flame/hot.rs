@@ -162,6 +162,8 @@ impl Flame {
 
     /// Looks for the edge outwards from all points of the spines, all rays a step at a time.
     fn measure(&mut self, air: &impl Air, sheet: Sheet, dt_s: f32) {
+        // A flame sits on the rim of its wick; a coarse grid would spread its foot.
+        let rim_m = self.wick_radius_m() + 0.5 * SHEET_M;
         let Some(hot) = &mut self.hot else { return };
         let n = self.row.len();
         let width = self.settings.skeletons.width_m;
@@ -196,6 +198,7 @@ impl Flame {
                 break;
             }
         }
+        hot.rays.iter_mut().step_by(n).for_each(|root| root.radius_m = root.radius_m.min(rim_m));
         // What was drawn rises with the gas, and follows the edge that was found.
         let follow = 1.0 - (-dt_s / FOLLOWS_S).exp();
         for (r, root) in self.roots.peripherals.iter().enumerate() {

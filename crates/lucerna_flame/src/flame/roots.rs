@@ -101,16 +101,21 @@ impl Flame {
         }
     }
 
+    /// Half of the width over which the wick lets fuel in, m.
+    pub(super) fn wick_radius_m(&self) -> f32 {
+        match self.settings.wick {
+            WickShape::Polyline { radius_m, .. } => radius_m,
+            WickShape::Vertices(_) => 0.5 * self.settings.skeletons.width_m,
+        }
+    }
+
     /// Fuel from each stretch of the wick. Distributions spread the whole rate over the wick; a function of the
     /// user's is a factor on an even spread.
     fn feed(&mut self, time_s: f64, step: u64) {
         let Drive::Combustion { fuel, .. } = self.settings.drive else { return };
         let kilowatts = self.settings.drive.power_kw().unwrap_or(0.0);
         let leads = self.roots.leads.len();
-        let radius_m = match self.settings.wick {
-            WickShape::Polyline { radius_m, .. } => radius_m,
-            WickShape::Vertices(_) => 0.5 * self.settings.skeletons.width_m,
-        };
+        let radius_m = self.wick_radius_m();
         let (mut whole, mut flow) = (0.0, 0.0);
         for i in 0..leads {
             // The stretch from halfway to the root before to halfway to the next.
