@@ -40,10 +40,26 @@ embedded!(
     "campfire_stones.obj",
     "campfire_coals.obj",
     "campfire_ground.obj",
+    "hall.ron",
+    "hall.mtl",
+    "hall_room.obj",
+    "hall_candle.obj",
+    "hall_torch.obj",
+    "hall_chandelier.obj",
 );
 
-const NAMES: &[&str] =
-    &["candle", "oil_lamp", "chandelier", "torch", "torch_swung", "campfire", "ring_burner", "line_burner", "wind"];
+const NAMES: &[&str] = &[
+    "candle",
+    "oil_lamp",
+    "chandelier",
+    "torch",
+    "torch_swung",
+    "campfire",
+    "ring_burner",
+    "line_burner",
+    "wind",
+    "hall",
+];
 
 /// The names of the built-in scenes.
 #[must_use]

@@ -16,6 +16,7 @@
 
 mod assets;
 mod builtin;
+mod camera;
 mod error;
 mod import;
 mod load;
@@ -27,6 +28,7 @@ mod validate;
 mod wick;
 
 pub use builtin::{builtin, builtin_names};
+pub use camera::CameraKey;
 pub use error::SceneError;
 pub use load::{load, open, parse};
 pub use model::{Air, AirAdvection, AirSides, Fire, HeatAdvection, LoadedScene, MeshSource, Pressure, Scene};

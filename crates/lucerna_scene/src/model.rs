@@ -1,5 +1,6 @@
 //! The scene as it stands in a file.
 
+use crate::camera::CameraKey;
 use crate::place::FireAir;
 use crate::{Motion, WickSource};
 use glam::{EulerRot, Quat};
@@ -20,6 +21,9 @@ pub struct Scene {
     /// The camera.
     #[serde(default)]
     pub camera: Camera,
+    /// Where the camera flies in simulated time; nothing leaves it where it is.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub camera_path: Vec<CameraKey>,
     /// How the picture is made.
     #[serde(default)]
     pub look: Look,

@@ -4,6 +4,7 @@
 
 mod campfire;
 mod candle;
+mod hall;
 mod mesh;
 mod noise;
 mod torch;
@@ -12,7 +13,7 @@ use std::path::Path;
 
 fn main() -> std::io::Result<()> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
-    let parts = candle::parts().into_iter().chain(torch::parts()).chain(campfire::parts());
+    let parts = candle::parts().into_iter().chain(torch::parts()).chain(campfire::parts()).chain(hall::parts());
     for (name, text) in parts {
         println!("{name}: {} kB", text.len() / 1000);
         std::fs::write(folder.join(name), text)?;
