@@ -5,7 +5,7 @@ use crate::error::WorldError;
 use crate::movers::Movers;
 use glam::Vec3;
 use lucerna_flame::Flames;
-use lucerna_fluid::{Combustion, Fluid, FluidBatch, FluidError};
+use lucerna_fluid::{Combustion, Fluid, FluidBatch, FluidError, Snapshot, SnapshotError};
 use lucerna_scene::{Air, FireAir, Scene};
 use std::sync::{Mutex, PoisonError};
 
@@ -235,6 +235,20 @@ impl Airs {
             }
         }
         Ok(())
+    }
+
+    /// The state of every box.
+    pub(crate) fn saved(&self) -> Vec<Snapshot> {
+        self.iter().map(Fluid::save).collect()
+    }
+
+    /// Puts every box back to what was saved of it.
+    pub(crate) fn restore(&mut self, saved: &[Snapshot]) -> Result<(), SnapshotError> {
+        if saved.len() != self.places.len() {
+            return Err(SnapshotError::Shape);
+        }
+        let places = self.places.iter().zip(saved);
+        places.into_iter().try_for_each(|(&(batch, at), saved)| self.batches[batch][at].restore(saved))
     }
 
     /// Takes over what can change while the air moves, from a plan with the same grids.

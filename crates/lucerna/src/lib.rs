@@ -25,6 +25,7 @@ mod error;
 pub mod export;
 mod movers;
 mod report;
+mod save;
 mod world;
 
 pub use error::WorldError;
@@ -35,4 +36,5 @@ pub use lucerna_frame as frame;
 pub use lucerna_render as render;
 pub use lucerna_scene as scene;
 pub use report::{DebugLines, StageTimes, StepSummary};
+pub use save::SaveError;
 pub use world::{MAX_STEPS, World};

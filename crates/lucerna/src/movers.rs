@@ -206,6 +206,24 @@ impl Movers {
         if self.meshes.is_empty() { rest } else { &self.meshes }
     }
 
+    /// Where everything is, and where the program wants it.
+    pub(crate) fn saved(&self) -> Vec<(Pose, Option<Pose>)> {
+        self.groups.iter().map(|group| (group.now, group.asked)).collect()
+    }
+
+    /// Puts everything where it was saved; says no where that cannot be.
+    pub(crate) fn restore(&mut self, saved: &[(Pose, Option<Pose>)]) -> bool {
+        let sound =
+            |(now, asked): &(Pose, Option<Pose>)| now.is_allowed() && asked.as_ref().is_none_or(Pose::is_allowed);
+        let fits = saved.len() == self.groups.len() && saved.iter().all(sound);
+        if fits {
+            for (group, saved) in self.groups.iter_mut().zip(saved) {
+                (group.now, group.asked) = *saved;
+            }
+        }
+        fits
+    }
+
     /// Numbers that the next step depends on: where the program wants things.
     pub(crate) fn asked(&self) -> impl Iterator<Item = u64> + '_ {
         self.groups.iter().enumerate().filter_map(|(i, group)| Some((i, group.asked?))).flat_map(|(i, pose)| {

@@ -5,6 +5,7 @@ use crate::airs::{Airs, Plan};
 use crate::error::WorldError;
 use crate::movers::Movers;
 use crate::report::{DebugLines, StepSummary};
+use crate::save::{SaveError, Saved, fingerprint};
 use lucerna_flame::{FlameSettings, Flames, Pose, Surfaces};
 use lucerna_fluid::Fluid;
 use lucerna_frame::{Frame, LineVertex};
@@ -203,6 +204,60 @@ impl World {
         }
         self.owed_s = 0.0;
         self.build();
+    }
+
+    /// All that burns, as bytes: with the scene, enough to go on as if the world had never been stopped, bit for bit.
+    /// Debug lines, where vertices are made, and functions of the user's ([`set_fuel_function`](Self::set_fuel_function))
+    /// are no part of it.
+    #[must_use]
+    pub fn save(&self) -> Vec<u8> {
+        Saved {
+            scene: fingerprint(&self.scene),
+            owed_s: self.owed_s,
+            airs: self.airs.saved(),
+            flames: self.flames.save(),
+            movers: self.movers.saved(),
+        }
+        .to_bytes()
+    }
+
+    /// Goes on from what was saved of a world with this scene; camera, look and meshes may differ.
+    ///
+    /// ```
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # use lucerna::World;
+    /// let mut world = World::new(lucerna::scene::open("candle")?)?;
+    /// world.step(0.1)?;
+    /// let saved = world.save();
+    /// let mut again = World::new(lucerna::scene::open("candle")?)?;
+    /// again.restore(&saved)?;
+    /// world.step(0.1)?;
+    /// again.step(0.1)?;
+    /// assert_eq!(world.state_hash(), again.state_hash());
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// What is wrong with the bytes; the world is then as it was.
+    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SaveError> {
+        let saved = Saved::from_bytes(bytes)?;
+        if saved.scene != fingerprint(&self.scene) {
+            return Err(SaveError::Scene);
+        }
+        let sound = (0.0..=1e12).contains(&saved.owed_s);
+        let mut airs = Airs::new(self.airs.plan.clone()).map_err(WorldError::from)?;
+        airs.restore(&saved.airs)?;
+        let mut flames = Flames::new(settings(&self.scene, &airs.plan)?, self.scene.scene.seed)?;
+        flames.restore(&saved.flames)?;
+        let mut movers = Movers::new(&self.scene)?;
+        if !movers.restore(&saved.movers) || !sound {
+            return Err(SaveError::Malformed);
+        }
+        (self.airs, self.flames, self.movers, self.owed_s) = (airs, flames, movers, saved.owed_s);
+        self.mesh_revision = new_mesh_revision();
+        self.build();
+        Ok(())
     }
 
     /// Chooses the debug lines that [`World::frame`] carries.

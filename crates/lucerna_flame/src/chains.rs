@@ -7,12 +7,13 @@
 use crate::air::{Air, keep_inside};
 use crate::random::Fnv;
 use glam::Vec3;
+use serde::{Deserialize, Serialize};
 
 /// Emissions kept at most; with short steps particles are emitted every few steps only.
 const SLOTS: usize = 48;
 
 /// The particles of one flame.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct Chains {
     skeletons: usize,
     life_s: f32,
@@ -49,6 +50,21 @@ impl Chains {
             chains.push(life_s * share, Vec3::Y * (height_m * share));
         }
         chains
+    }
+
+    /// Whether it can take the place of `other`: of the same size, every number finite, every age within `most_s`.
+    pub(crate) fn fits(&self, other: &Self, most_s: f32) -> bool {
+        let points = [&self.roots, &self.ways, &self.points].into_iter().flatten();
+        self.skeletons == other.skeletons
+            && self.roots.len() == other.roots.len()
+            && (self.ways.is_empty() || self.ways.len() == self.roots.len())
+            && self.ages_s.len() == other.ages_s.len()
+            && self.points.len() == other.points.len()
+            && self.head < self.ages_s.len()
+            && (1..=self.ages_s.len()).contains(&self.len)
+            && points.copied().all(Vec3::is_finite)
+            && self.ages_s.iter().chain([&self.since_s]).all(|age_s| (0.0..=most_s).contains(age_s))
+            && (0.0..=most_s).contains(&self.life_s)
     }
 
     /// How many chains there are.

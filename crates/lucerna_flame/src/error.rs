@@ -57,6 +57,12 @@ pub enum FlameError {
     /// The surface could not be laid out.
     #[error("the flame's surface could not be laid out")]
     Surface(#[from] lucerna_nurbs::NurbsError),
+    /// What was saved is not of these flames, or not as it was saved.
+    #[error("the saved flames do not fit{}", flame.map(|flame| format!(": flame {flame}")).unwrap_or_default())]
+    Saved {
+        /// The first that does not; none where it is all of them.
+        flame: Option<usize>,
+    },
 }
 
 /// Fails unless `low <= value <= high` (so NaN fails).

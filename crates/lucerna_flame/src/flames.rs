@@ -1,7 +1,7 @@
 //! All flames of a world, and what is drawn of them.
 
 use crate::air::Airs;
-use crate::flame::{Flame, Source};
+use crate::flame::{Flame, SavedFlame, Source};
 use crate::fuel::FuelFunction;
 use crate::light::{FlameLight, LightGroup, OwnLight, add_light};
 use crate::random::{Fnv, hash};
@@ -9,6 +9,7 @@ use crate::surface::{ControlNet, PlanKey, SurfacePlan, Surfaces};
 use crate::{FlameError, FlameSettings, combustion};
 use lucerna_frame::{FlameDraw, FlameGrid, FlameNet, FlameNets, FlameShade, FlameVertex, Light};
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -21,6 +22,15 @@ pub const MAX_FLAMES: usize = 2520;
 fn new_grid_revision() -> u64 {
     static NEXT: AtomicU64 = AtomicU64::new(1);
     NEXT.fetch_add(1, Ordering::Relaxed)
+}
+
+/// The state of flames: plain data, to be written in any format that serde knows. What is read is not trusted.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct SavedFlames {
+    time_s: f64,
+    steps: u64,
+    seed: u64,
+    flames: Vec<SavedFlame>,
 }
 
 /// Flames that burn in one air or in several.
@@ -229,6 +239,31 @@ impl Flames {
     /// When there is no such flame.
     pub fn clear_fuel_function(&mut self, flame: usize) -> Result<(), FlameError> {
         self.flame_mut(flame)?.function = None;
+        Ok(())
+    }
+
+    /// All that makes the flames go on as they would have, together with their settings and the airs. Functions of
+    /// the user's are no part of it.
+    #[must_use]
+    pub fn save(&self) -> SavedFlames {
+        let flames = self.flames.iter().map(Flame::save).collect();
+        SavedFlames { time_s: self.time_s, steps: self.steps, seed: self.seed, flames }
+    }
+
+    /// Goes on from what was saved of flames with the same settings and seed.
+    ///
+    /// # Errors
+    /// [`FlameError::Saved`] where it was saved from others, or holds what cannot be. The flames are then of no use.
+    pub fn restore(&mut self, saved: &SavedFlames) -> Result<(), FlameError> {
+        if saved.seed != self.seed || saved.flames.len() != self.flames.len() || !(0.0..=1e12).contains(&saved.time_s) {
+            return Err(FlameError::Saved { flame: None });
+        }
+        (self.time_s, self.steps) = (saved.time_s, saved.steps);
+        for (number, (flame, saved)) in self.flames.iter_mut().zip(&saved.flames).enumerate() {
+            if !flame.restore(saved) {
+                return Err(FlameError::Saved { flame: Some(number) });
+            }
+        }
         Ok(())
     }
 

@@ -6,6 +6,7 @@ use crate::random::Fnv;
 use crate::spine::{self, Limits, Spine, direction};
 use crate::surface::{Surface, SurfacePlan};
 use glam::{Mat3, Quat, Vec3};
+use serde::{Deserialize, Serialize};
 
 /// Time over which a broken tip draws back and its free flame appears, s.
 pub(crate) const BREAK_S: f32 = 0.04;
@@ -18,7 +19,7 @@ const TIGHTEST: f32 = 1.0;
 pub(crate) const ROWS: usize = 4;
 
 /// One free flame: the upper part of a lead skeleton with four chains around it.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Free {
     pub(crate) burning: bool,
     age_s: f32,
@@ -27,10 +28,15 @@ pub(crate) struct Free {
     points: Vec<Vec3>,
     /// The side to which the frame's first axis points.
     side: Vec3,
+    #[serde(skip)]
     lengths: Vec<f32>,
+    #[serde(skip)]
     shaped: Vec<Vec3>,
+    #[serde(skip)]
     pub(crate) net: Vec<[f32; 3]>,
+    #[serde(skip)]
     raw_net: Vec<[f32; 3]>,
+    #[serde(skip)]
     pub(crate) surface: Surface,
 }
 
@@ -55,6 +61,23 @@ impl Free {
     /// Its spine.
     pub(crate) fn spine(&self) -> &[Vec3] {
         &self.points[..self.count()]
+    }
+
+    /// What has to be saved of it.
+    pub(crate) fn saved(&self) -> Self {
+        let mut saved = Self::default();
+        saved.inherit(self);
+        saved
+    }
+
+    /// Whether it can be inherited by `other`: of the same size, with numbers that are finite.
+    pub(crate) fn fits(&self, other: &Self) -> bool {
+        let times = [self.age_s, self.life_s].iter().all(|time_s| (0.0..=1e3).contains(time_s));
+        let points = self.points.iter().chain([&self.side]);
+        times
+            && (!self.burning || self.life_s > 0.0)
+            && self.points.len() == other.points.len()
+            && points.copied().all(Vec3::is_finite)
     }
 
     fn count(&self) -> usize {

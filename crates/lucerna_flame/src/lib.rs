@@ -35,7 +35,7 @@ pub use air::{Air, Airs, Gas, ROOM_K, UniformAir};
 pub use burning::{Drive, FuelKind, Rate, combustion};
 pub use error::FlameError;
 pub use flame::Source;
-pub use flames::{Flames, MAX_FLAMES};
+pub use flames::{Flames, MAX_FLAMES, SavedFlames};
 pub use life::{BlowOut, Life, Supply};
 pub use light::FlameLight;
 pub use params::{FlameSettings, Fuel, FuelDistribution, FuelForm, Skeletons, SurfaceGrid, Swing, WickShape};

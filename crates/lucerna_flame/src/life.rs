@@ -146,7 +146,7 @@ pub(crate) struct Felt {
 }
 
 /// Where a flame is in its life.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Fire {
     pub(crate) lit: bool,
     /// Share of its full strength, 0 to 1.
@@ -164,6 +164,12 @@ pub(crate) struct Fire {
 }
 
 impl Fire {
+    /// Whether all of it can be, where it was read from outside.
+    pub(crate) fn is_sound(&self) -> bool {
+        let shares = [self.power, self.blown].iter().all(|share| (0.0..=1.0).contains(share));
+        shares && self.left_s >= 0.0 && self.warm_s >= 0.0 && (0.0..=1e3).contains(&self.step_s)
+    }
+
     pub(crate) fn new(life: &Life, drive: &Drive) -> Self {
         let left_s = life.supply_s(drive);
         let lit = life.lit && left_s > 0.0;

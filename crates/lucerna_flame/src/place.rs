@@ -6,6 +6,7 @@ use crate::roots::Roots;
 use crate::{Air, Centreline, FlameError, Flames};
 use glam::{Quat, Vec3};
 use lucerna_fluid::{Fluid, FluidError};
+use serde::{Deserialize, Serialize};
 
 /// Roots that move faster have jumped, m/s: their flame goes with them, and the air stays as it was.
 const FASTEST_M_S: f32 = 30.0;
@@ -15,7 +16,7 @@ const DRAG_S: f32 = 0.05;
 const MOST_PUSH_M_S2: f32 = 1e4;
 
 /// Where something that moves is, seen from where it rests: turned about the world's origin, then moved.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Pose {
     /// The turn, a unit quaternion.
     pub rotation: Quat,

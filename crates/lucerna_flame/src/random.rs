@@ -1,6 +1,7 @@
 //! Seeded randomness: a hash, a small generator and smooth noise. The same bits on every machine.
 
 use glam::Vec3;
+use serde::{Deserialize, Serialize};
 
 /// Scrambles 64 bits (the finaliser of splitmix64).
 pub(crate) fn hash(mut x: u64) -> u64 {
@@ -16,7 +17,7 @@ pub(crate) fn unit(bits: u64) -> f32 {
 }
 
 /// A PCG-XSH-RR generator with 64 bits of state.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct Pcg {
     state: u64,
 }

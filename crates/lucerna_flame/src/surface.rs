@@ -127,7 +127,7 @@ impl SurfacePlan {
 }
 
 /// Vertices and memory of one surface.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Surface {
     /// Empty, or of another moment, where the renderer makes them.
     pub(crate) vertices: Vec<FlameVertex>,

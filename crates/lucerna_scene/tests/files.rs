@@ -16,8 +16,8 @@ fn fault(text: &str, expected: &str) {
 fn unknown_and_missing_fields_are_named() {
     fault(
         "(\n    name: \"x\",\n    wind: 3,\n)",
-        "torch.ron:3:5: Unexpected field named `wind` in `Scene`, expected one of `name`, `seed`, `camera`, `look`, \
-         `air`, `fires`, `meshes`, or `motions` instead",
+        "torch.ron:3:5: Unexpected field named `wind` in `Scene`, expected one of `name`, `seed`, `camera`, `camera_path`, \
+         `look`, `air`, `fires`, `meshes`, or `motions` instead",
     );
     fault("(\n    name: \"x\",\n)", "torch.ron:3:1: Unexpected missing field named `air` in `Scene`");
     fault("(name: 3)", "torch.ron:1:7: Expected string");
@@ -57,11 +57,11 @@ fn files_that_are_not_scenes() {
 fn names_that_are_unknown() {
     assert_eq!(
         builtin("bonfire").unwrap_err().to_string(),
-        "there is no scene named `bonfire`: must be candle, oil_lamp, chandelier, torch, torch_swung, campfire, ring_burner, line_burner, wind"
+        "there is no scene named `bonfire`: must be candle, oil_lamp, chandelier, torch, torch_swung, campfire, ring_burner, line_burner, wind, hall"
     );
     assert_eq!(
         open("bonfire").unwrap_err().to_string(),
-        "there is no scene named `bonfire`: must be candle, oil_lamp, chandelier, torch, torch_swung, campfire, ring_burner, line_burner, wind, or the path of a scene file"
+        "there is no scene named `bonfire`: must be candle, oil_lamp, chandelier, torch, torch_swung, campfire, ring_burner, line_burner, wind, hall, or the path of a scene file"
     );
     let mut scene = smallest();
     assert_eq!(

@@ -5,7 +5,7 @@ mod common;
 use common::smallest;
 use lucerna_flame::{FuelDistribution, Swing};
 use lucerna_frame::{Blur, DebugView, GlowLevel, Transparency};
-use lucerna_scene::{FireAir, MeshSource, Pressure, Scene, WickSource, validate};
+use lucerna_scene::{CameraKey, FireAir, MeshSource, Pressure, Scene, WickSource, validate};
 
 #[track_caller]
 fn refused(edit: impl FnOnce(&mut Scene), expected: &str) {
@@ -160,6 +160,27 @@ fn copies() {
         |s| s.meshes.push(MeshSource { turns_deg: vec![f32::NAN], ..MeshSource::new("a.obj") }),
         "meshes[0].turns_deg[0] is NaN: must be -360 to 360",
     );
+}
+
+#[test]
+fn camera_paths() {
+    let key = |time_s: f32, x: f32| CameraKey { time_s, eye: [x, 0.0, 1.0], target: [0.0; 3] };
+    refused(
+        |s| s.camera_path = vec![key(1.0, 0.0), key(1.0, 1.0)],
+        "camera_path[1].time_s is 1: must be after that of the key before, 1",
+    );
+    refused(|s| s.camera_path = vec![key(0.0, f32::NAN)], "camera_path[0].eye[0] is NaN: must be -100000 to 100000");
+    let mut scene = smallest();
+    assert_eq!(scene.camera_at(3.0), scene.camera);
+    scene.camera_path = vec![key(1.0, 0.0), key(2.0, 1.0), key(4.0, 1.5), key(5.0, -1.0)];
+    let x = |time_s: f64| scene.camera_at(time_s).eye[0];
+    for (time_s, at) in [(0.0, 0.0), (1.0, 0.0), (2.0, 1.0), (4.0, 1.5), (5.0, -1.0), (9.0, -1.0)] {
+        assert!((x(time_s) - at).abs() < 1e-6, "{time_s} s: {}", x(time_s));
+    }
+    let bends = (1001..4999).map(|i| f64::from(i) * 1e-3);
+    let sharpest = bends.map(|t| (x(t + 1e-3) - 2.0 * x(t) + x(t - 1e-3)).abs()).fold(0.0, f32::max);
+    println!("the sharpest change of speed in a millisecond is {sharpest:.1e} m/ms");
+    assert!(sharpest < 3e-5, "no kinks: {sharpest}");
 }
 
 #[test]

@@ -178,12 +178,18 @@ pub struct RecordArgs {
     /// Size of the picture in pixels, 16x16 to 8192x8192 [default: 960x720].
     #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = parse_size)]
     pub size: Option<[u32; 2]>,
-    /// Seconds simulated before the first frame, so that the fire burns, 0 to 600.
-    #[arg(long, value_name = "SECONDS", default_value = "2", allow_negative_numbers = true, value_parser = parse_warmup)]
-    pub warmup: f64,
+    /// Seconds simulated before the first frame, so that the fire burns, 0 to 600 [default: 2].
+    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true, value_parser = parse_warmup)]
+    pub warmup: Option<f64>,
     /// Where to: a .png (the last frame), a .gif (an animation) or a folder (numbered PNGs).
     #[arg(long, value_name = "PATH")]
     pub out: Option<PathBuf>,
+    /// Write all that burns after the last frame, to go on from it with --resume.
+    #[arg(long, value_name = "FILE")]
+    pub save: Option<PathBuf>,
+    /// Go on from what --save wrote of the same scene, instead of lighting it; --warmup then is 0 unless it is given.
+    #[arg(long, value_name = "FILE")]
+    pub resume: Option<PathBuf>,
     /// Measure the run and write what was measured as JSON.
     #[arg(long, value_name = "FILE.json")]
     pub report: Option<PathBuf>,
@@ -271,7 +277,7 @@ mod tests {
         assert!(headless && scene == "torch");
         assert_eq!((changes.seed, changes.layers, changes.shading), (Some(7), Some(4), Some(ShadingArg::Shell)));
         assert_eq!((record.frames, record.fps, record.size), (Some(200), Some(20.0), Some([480, 360])));
-        assert_eq!((record.warmup, changes.surfaces), (1.5, SurfacesArg::Gpu));
+        assert_eq!((record.warmup, changes.surfaces), (Some(1.5), SurfacesArg::Gpu));
     }
 
     #[test]

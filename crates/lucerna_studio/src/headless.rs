@@ -26,7 +26,7 @@ pub fn run(job: &Job) -> Result<Vec<String>> {
         }
         None => None,
     };
-    if let Some(path) = &job.report {
+    for path in [&job.report, &job.save].into_iter().flatten() {
         record::check_file(path)?;
     }
     let mut run = Run::new(job)?;
@@ -48,6 +48,10 @@ pub fn run(job: &Job) -> Result<Vec<String>> {
     let mut written = Vec::new();
     if let Some(recorder) = recorder {
         written.push(recorder.finish()?);
+    }
+    if let Some(path) = &job.save {
+        std::fs::write(path, run.world.save()).with_context(|| format!("cannot write {}", path.display()))?;
+        written.push(format!("wrote {}", path.display()));
     }
     if let Some(path) = &job.report {
         let json = serde_json::to_string_pretty(&run.report()).context("the report cannot be written as JSON")?;
@@ -77,6 +81,10 @@ impl<'a> Run<'a> {
         gpu.check()?;
         let mut world = World::new(job.scene.clone())?;
         world.set_surfaces(job.surfaces.into());
+        if let Some(path) = &job.resume {
+            let bytes = std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
+            world.restore(&bytes).with_context(|| format!("cannot go on from {}", path.display()))?;
+        }
         let (timings, counts) = (Timings::default(), Counts::default());
         Ok(Self { job, gpu, target, renderer, world, timings, counts, rgb: Vec::new() })
     }
@@ -139,7 +147,8 @@ impl<'a> Run<'a> {
     fn prepare(&mut self) -> Result<()> {
         let scene = &self.world.scene().scene;
         let (gpu, frame) = (&self.gpu, self.world.frame());
-        self.renderer.prepare(&gpu.device, &gpu.queue, self.job.size_px, &frame, &scene.camera, &scene.look)?;
+        let camera = scene.camera_at(self.world.time_s());
+        self.renderer.prepare(&gpu.device, &gpu.queue, self.job.size_px, &frame, &camera, &scene.look)?;
         Ok(())
     }
 

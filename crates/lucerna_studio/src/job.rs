@@ -8,6 +8,8 @@ use std::path::PathBuf;
 
 /// Size of a picture where none is given.
 const SIZE_PX: [u32; 2] = [960, 720];
+/// Seconds simulated before the first frame where nothing is said.
+const WARMUP_S: f64 = 2.0;
 /// Length of an animation where none is given.
 const ANIMATION_S: f64 = 5.0;
 
@@ -30,6 +32,10 @@ pub struct Job {
     pub warmup_s: f64,
     /// Where the pictures go.
     pub output: Option<Output>,
+    /// Where all that burns goes after the last frame.
+    pub save: Option<PathBuf>,
+    /// Where it comes from before the first.
+    pub resume: Option<PathBuf>,
     /// Where the report goes; without it nothing is measured.
     pub report: Option<PathBuf>,
 }
@@ -52,7 +58,9 @@ impl Job {
             frames,
             fps,
             size_px: args.size.unwrap_or(SIZE_PX),
-            warmup_s: args.warmup,
+            warmup_s: args.warmup.unwrap_or(if args.resume.is_some() { 0.0 } else { WARMUP_S }),
+            save: args.save.clone(),
+            resume: args.resume.clone(),
             output,
             report: args.report.clone(),
         })

@@ -56,6 +56,23 @@ struct Ray {
 }
 
 impl Hot {
+    /// What has to be saved of it.
+    pub(super) fn saved(&self) -> [Vec<f32>; 2] {
+        [self.tips_s.clone(), self.radii.clone()]
+    }
+
+    /// Goes on from what was saved, if it fits.
+    pub(super) fn restore(&mut self, [tips_s, radii]: &[Vec<f32>; 2]) -> bool {
+        let fits = tips_s.len() == self.tips_s.len()
+            && radii.len() == self.radii.len()
+            && tips_s.iter().chain(radii).all(|value| (0.0..=1e6).contains(value));
+        if fits {
+            self.tips_s.copy_from_slice(tips_s);
+            self.radii.copy_from_slice(radii);
+        }
+        fits
+    }
+
     pub(super) fn new(leads: usize, rows: usize, points: usize) -> Self {
         let rays = rows * points;
         Self {

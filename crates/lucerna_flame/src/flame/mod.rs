@@ -3,6 +3,7 @@
 mod build;
 mod hot;
 mod roots;
+mod save;
 mod shed;
 
 use crate::air::Air;
@@ -19,6 +20,8 @@ use glam::Vec3;
 use hot::Hot;
 use lucerna_frame::blackbody_rgb;
 pub(crate) use roots::{Doings, Feed};
+pub(crate) use save::SavedFlame;
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// How much of its life a flame spans when it is lit; it grows from there.
@@ -44,7 +47,7 @@ pub struct Source {
 }
 
 /// The tongue over one lead root.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 struct Tongue {
     /// The random number of `FuelDistribution::Random`.
     share: f32,

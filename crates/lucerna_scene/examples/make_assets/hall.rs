@@ -239,7 +239,8 @@ fn block(obj: &mut Obj, material: &str, middle: Vec3, half: Vec3, colour: Vec3) 
 
 /// A candle whose wax melts at y = 0, and its wick.
 fn wax(obj: &mut Obj) {
-    let profile = [[0.0119, -0.22], [0.0119, -0.03], [0.012, -0.003], [0.0113, 0.0028], [0.0095, 0.0015], [0.0, -0.001]];
+    let profile =
+        [[0.0119, -0.22], [0.0119, -0.03], [0.012, -0.003], [0.0113, 0.0028], [0.0095, 0.0015], [0.0, -0.001]];
     obj.surface("wax", [profile.len(), 10], true, |row, column| {
         let [radius, y] = profile[row];
         let a = angle(column, 10);

@@ -1,8 +1,8 @@
 //! Whether the camera and the look are allowed.
 
 use super::{Check, FAR_M};
-use crate::SceneError;
 use crate::import::MAX_LIGHT;
+use crate::{CameraKey, SceneError};
 use lucerna_frame::{Blur, Camera, DebugView, GlowLevel, Look, Shading, Transparency};
 
 /// Most glow levels.
@@ -23,6 +23,31 @@ pub(super) fn camera(check: &Check<'_>, camera: &Camera) -> Result<(), SceneErro
     check.above_zero("camera.far_m", camera.far_m, 1.0e6)?;
     if camera.far_m <= camera.near_m {
         return Err(check.fail("camera.far_m", camera.far_m, format!("above camera.near_m, {}", camera.near_m)));
+    }
+    Ok(())
+}
+
+/// Most keys of a camera's path.
+const MAX_KEYS: usize = 4096;
+
+/// Where the camera flies.
+pub(super) fn camera_path(check: &Check<'_>, keys: &[CameraKey]) -> Result<(), SceneError> {
+    if keys.len() > MAX_KEYS {
+        return Err(check.fail("the number of camera_path", keys.len(), format!("at most {MAX_KEYS}")));
+    }
+    for (index, key) in keys.iter().enumerate() {
+        let of = |name: &str| format!("camera_path[{index}].{name}");
+        check.within(&of("time_s"), key.time_s, 0.0..=1.0e6)?;
+        check.each(&of("eye"), &key.eye, &(-FAR_M..=FAR_M))?;
+        check.each(&of("target"), &key.target, &(-FAR_M..=FAR_M))?;
+        if key.eye == key.target {
+            let [x, y, z] = key.target;
+            return Err(check.fail(of("target"), format!("({x}, {y}, {z})"), "another point than eye"));
+        }
+        if index > 0 && key.time_s <= keys[index - 1].time_s {
+            let allowed = format!("after that of the key before, {}", keys[index - 1].time_s);
+            return Err(check.fail(of("time_s"), key.time_s, allowed));
+        }
     }
     Ok(())
 }

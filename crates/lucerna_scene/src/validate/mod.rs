@@ -36,6 +36,7 @@ pub fn validate(scene: &Scene) -> Result<(), SceneError> {
 
 pub(crate) fn scene(check: &Check<'_>, scene: &Scene) -> Result<(), SceneError> {
     look::camera(check, &scene.camera)?;
+    look::camera_path(check, &scene.camera_path)?;
     look::look(check, &scene.look)?;
     air::air(check, &scene.air)?;
     if !(1..=MAX_FIRES).contains(&scene.fires.len()) {
