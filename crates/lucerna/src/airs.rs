@@ -1,6 +1,7 @@
 //! All boxes of air of a world: which there are, which fires share one, and how they are stepped together.
 
 use crate::air;
+use crate::detail::Details;
 use crate::error::WorldError;
 use crate::movers::Movers;
 use glam::Vec3;
@@ -196,17 +197,21 @@ impl Airs {
         self.places.iter().map(|&(batch, at)| &self.batches[batch][at])
     }
 
-    /// Adds to the airs what flames and the rows' buoyancy do to them in the coming step, and makes it.
+    /// Adds to the airs that are due what flames and the rows' buoyancy do to them in the coming step, and makes it.
     ///
     /// Returns the largest dimensionless divergence that is left.
-    pub(crate) fn step(&mut self, flames: &Flames, dt_s: f32) -> Result<f32, FluidError> {
+    pub(crate) fn step(&mut self, flames: &Flames, details: &Details, dt_s: f32) -> Result<f32, FluidError> {
         let mut divergence = 0.0_f32;
+        let is_due = |number: usize| !details.is_on() || details.is_due(flames, number);
         for (batch, numbers) in self.batches.iter_mut().zip(&self.numbers) {
             // The first box that refuses, whichever thread is first to find one.
             let refused = Mutex::new(None::<(usize, FluidError)>);
             let airs = &self.plan.airs;
             batch.for_each(|at, fluid| {
                 let number = numbers[at];
+                if !is_due(number) {
+                    return;
+                }
                 let driven =
                     flames.drive_air(number, fluid).and_then(|()| air::add_row_buoyancy(fluid, &airs[number].air));
                 if let Err(error) = driven {
@@ -219,7 +224,7 @@ impl Airs {
             if let Some((_, error)) = refused.into_inner().unwrap_or_else(PoisonError::into_inner) {
                 return Err(error);
             }
-            let reports = batch.step(dt_s)?;
+            let reports = batch.step_where(dt_s, |at| is_due(numbers[at]))?;
             divergence = reports.iter().fold(divergence, |most, report| most.max(report.divergence_after));
         }
         Ok(divergence)

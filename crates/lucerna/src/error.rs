@@ -23,6 +23,11 @@ pub enum WorldError {
         /// What it may be.
         allowed: &'static str,
     },
+    /// A camera that nothing can be seen through.
+    #[error(
+        "the view is not allowed: finite positions, an angle of view of 1 to 170 degrees, a near plane of 1e-6 to 1e6 m"
+    )]
+    View,
     /// There is no fire of this number.
     #[error("there is no fire {fire}: the scene has {count}, counted from 0")]
     NoFire {

@@ -20,6 +20,7 @@
 
 mod air;
 mod airs;
+mod detail;
 mod error;
 #[cfg(feature = "export")]
 pub mod export;

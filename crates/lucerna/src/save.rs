@@ -10,7 +10,8 @@
 use crate::error::WorldError;
 use lucerna_flame::{FlameError, Pose, SavedFlames};
 use lucerna_fluid::{Snapshot, SnapshotError};
-use lucerna_scene::LoadedScene;
+use lucerna_frame::Camera;
+use lucerna_scene::{Budget, LoadedScene};
 use serde::{Deserialize, Serialize};
 
 const MAGIC: &[u8; 8] = b"LUCWORLD";
@@ -60,6 +61,10 @@ pub(crate) struct Saved {
     pub(crate) flames: SavedFlames,
     /// Where everything that moves is, and where the program wants it.
     pub(crate) movers: Vec<(Pose, Option<Pose>)>,
+    pub(crate) budget: Option<Budget>,
+    pub(crate) view: Camera,
+    /// Which copies burn for themselves, and which are coarse.
+    pub(crate) units: Vec<(bool, bool)>,
 }
 
 impl Saved {

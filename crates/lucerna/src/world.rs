@@ -2,14 +2,15 @@
 
 use crate::air;
 use crate::airs::{Airs, Plan};
+use crate::detail::{Details, is_view};
 use crate::error::WorldError;
 use crate::movers::Movers;
 use crate::report::{DebugLines, StepSummary};
 use crate::save::{SaveError, Saved, fingerprint};
 use lucerna_flame::{FlameSettings, Flames, Pose, Surfaces};
 use lucerna_fluid::Fluid;
-use lucerna_frame::{Frame, LineVertex};
-use lucerna_scene::{LoadedScene, Scene};
+use lucerna_frame::{Camera, Frame, LineVertex};
+use lucerna_scene::{Budget, LoadedScene, Scene};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
@@ -28,6 +29,7 @@ pub struct World {
     airs: Airs,
     flames: Flames,
     movers: Movers,
+    details: Details,
     /// Time that was asked for but not yet stepped, s.
     owed_s: f64,
     surfaces: Surfaces,
@@ -55,11 +57,14 @@ impl World {
         let mut flames = Flames::new(settings(&scene, &plan)?, scene.scene.seed)?;
         let movers = Movers::new(&scene)?;
         movers.start(&mut flames)?;
+        let details = Details::new(&scene, &plan);
+        details.start(&mut flames)?;
         let mut world = Self {
             scene,
             airs: Airs::new(plan)?,
             flames,
             movers,
+            details,
             owed_s: 0.0,
             surfaces: Surfaces::default(),
             debug: DebugLines::default(),
@@ -89,13 +94,16 @@ impl World {
         let steps = due.min(f64::from(MAX_STEPS)) as u32;
         let dropped = (due - f64::from(steps)).min(f64::from(u32::MAX)) as u32;
         let mut summary = StepSummary { steps, dropped, ..StepSummary::default() };
+        if steps > 0 {
+            self.details.choose(&mut self.flames)?;
+        }
         for done in 1..=steps {
             let start = Instant::now();
             let time_s = self.flames.time_s() + f64::from(step_s);
             self.movers.advance(&mut self.flames, time_s, steps + 1 - done, step_s)?;
             self.airs.carry(&self.movers, step_s)?;
             self.flames.sources(&self.airs);
-            let divergence = self.airs.step(&self.flames, step_s)?;
+            let divergence = self.airs.step(&self.flames, &self.details, step_s)?;
             summary.divergence = summary.divergence.max(divergence);
             summary.times.fluid_ms += ms_since(start);
             let start = Instant::now();
@@ -175,9 +183,11 @@ impl World {
             self.mesh_revision = new_mesh_revision();
         }
         self.movers = movers;
+        self.details = self.details.renewed(&scene, &self.airs.plan);
         self.scene = scene;
+        let started = self.details.start(&mut self.flames);
         self.build();
-        Ok(())
+        Ok(started?)
     }
 
     /// The scene.
@@ -202,6 +212,9 @@ impl World {
         {
             self.movers = movers;
         }
+        self.details = self.details.renewed(&self.scene, &self.airs.plan);
+        let started = self.details.start(&mut self.flames);
+        debug_assert!(started.is_ok(), "{started:?}");
         self.owed_s = 0.0;
         self.build();
     }
@@ -217,6 +230,9 @@ impl World {
             airs: self.airs.saved(),
             flames: self.flames.save(),
             movers: self.movers.saved(),
+            budget: self.details.budget,
+            view: self.details.view,
+            units: self.details.saved(),
         }
         .to_bytes()
     }
@@ -251,10 +267,14 @@ impl World {
         let mut flames = Flames::new(settings(&self.scene, &airs.plan)?, self.scene.scene.seed)?;
         flames.restore(&saved.flames)?;
         let mut movers = Movers::new(&self.scene)?;
+        let mut details = Details::new(&self.scene, &airs.plan);
+        let sound = sound && details.restore(&saved.units, saved.budget, saved.view);
         if !movers.restore(&saved.movers) || !sound {
             return Err(SaveError::Malformed);
         }
+        details.start(&mut flames)?;
         (self.airs, self.flames, self.movers, self.owed_s) = (airs, flames, movers, saved.owed_s);
+        self.details = details;
         self.mesh_revision = new_mesh_revision();
         self.build();
         Ok(())
@@ -286,6 +306,39 @@ impl World {
     #[must_use]
     pub fn fluid(&self) -> &Fluid {
         lucerna_flame::Airs::air(&self.airs, 0)
+    }
+
+    /// Where the world is looked at from, from the next step on: with a budget, it chooses the level of detail. Until
+    /// this is called it is the scene's camera. It is an input as [`place`](Self::place) is: replays must say the same at
+    /// the same times.
+    ///
+    /// # Errors
+    /// When nothing can be seen through the camera; the view is then as it was.
+    pub fn set_view(&mut self, view: &Camera) -> Result<(), WorldError> {
+        if !is_view(view) {
+            return Err(WorldError::View);
+        }
+        self.details.view = *view;
+        Ok(())
+    }
+
+    /// What the fires may cost, from the next step on; none for all that they need, which is the default unless the
+    /// scene says otherwise ([`Scene::detail`](lucerna_scene::Scene::detail)). Fires that are small in the picture then
+    /// follow others of their kind and have fewer vertices; they change over within a second, and only once those that
+    /// they follow have burned for two seconds. A fire can follow where its copies have an air of their own each, no
+    /// motion, and at least three are alike. It is an input, as [`set_view`](Self::set_view) is.
+    ///
+    /// # Errors
+    /// None for a world that was made; the flames' own.
+    pub fn set_budget(&mut self, budget: Option<Budget>) -> Result<(), WorldError> {
+        if budget.is_none() && self.details.budget.is_some() {
+            // Everything it takes: all fires come back.
+            self.details.budget = Some(Budget { cell_steps: u64::MAX, vertices: u64::MAX });
+        }
+        if budget.is_some() {
+            self.details.budget = budget;
+        }
+        Ok(self.details.start(&mut self.flames)?)
     }
 
     /// All boxes of air: first that of the scene, where a fire burns in it, then those that fires have of their own, in

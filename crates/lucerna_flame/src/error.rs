@@ -57,6 +57,16 @@ pub enum FlameError {
     /// The surface could not be laid out.
     #[error("the flame's surface could not be laid out")]
     Surface(#[from] lucerna_nurbs::NurbsError),
+    /// A flame cannot follow another.
+    #[error(
+        "flame {flame} cannot follow flame {followed}: that must be another, recorded, with the same skeletons, surface and shedding, and the delay 0 to 1"
+    )]
+    Follow {
+        /// The flame.
+        flame: usize,
+        /// The one that it is to follow.
+        followed: usize,
+    },
     /// What was saved is not of these flames, or not as it was saved.
     #[error("the saved flames do not fit{}", flame.map(|flame| format!(": flame {flame}")).unwrap_or_default())]
     Saved {

@@ -1,6 +1,7 @@
 //! All flames of a world, and what is drawn of them.
 
 use crate::air::Airs;
+use crate::detail::Recording;
 use crate::flame::{Flame, SavedFlame, Source};
 use crate::fuel::FuelFunction;
 use crate::light::{FlameLight, LightGroup, OwnLight, add_light};
@@ -31,6 +32,7 @@ pub struct SavedFlames {
     steps: u64,
     seed: u64,
     flames: Vec<SavedFlame>,
+    recordings: Vec<Recording>,
 }
 
 /// Flames that burn in one air or in several.
@@ -79,6 +81,8 @@ pub struct Flames {
     group_of: Vec<usize>,
     /// The flames that burn in each air.
     in_air: Vec<Vec<usize>>,
+    /// What followers can follow.
+    pub(crate) recordings: Vec<Recording>,
     lights: Vec<Light>,
     flame_lights: Vec<FlameLight>,
 }
@@ -247,7 +251,8 @@ impl Flames {
     #[must_use]
     pub fn save(&self) -> SavedFlames {
         let flames = self.flames.iter().map(Flame::save).collect();
-        SavedFlames { time_s: self.time_s, steps: self.steps, seed: self.seed, flames }
+        let recordings = self.recordings.clone();
+        SavedFlames { time_s: self.time_s, steps: self.steps, seed: self.seed, flames, recordings }
     }
 
     /// Goes on from what was saved of flames with the same settings and seed.
@@ -259,17 +264,23 @@ impl Flames {
             return Err(FlameError::Saved { flame: None });
         }
         (self.time_s, self.steps) = (saved.time_s, saved.steps);
+        let count = self.flames.len();
         for (number, (flame, saved)) in self.flames.iter_mut().zip(&saved.flames).enumerate() {
-            if !flame.restore(saved) {
+            if !flame.restore(saved, count) {
                 return Err(FlameError::Saved { flame: Some(number) });
             }
         }
+        if !self.takes(&saved.recordings) {
+            return Err(FlameError::Saved { flame: None });
+        }
+        self.recordings.clone_from(&saved.recordings);
         Ok(())
     }
 
     /// Emits, carries and retires particles, after the airs have made a step of `dt_s` seconds.
     pub fn step(&mut self, airs: &impl Airs, dt_s: f32) {
         self.flames.par_iter_mut().for_each(|flame| flame.step(airs.air(flame.settings.air), dt_s));
+        self.record_nets(dt_s);
         self.time_s += f64::from(dt_s);
         self.steps += 1;
     }
@@ -283,6 +294,11 @@ impl Flames {
     pub fn build(&mut self) {
         let surfaces = self.surfaces;
         self.flames.par_iter_mut().for_each(|flame| flame.build(surfaces));
+        if !self.recordings.is_empty() {
+            self.show_followed();
+            let followers = self.flames.par_iter_mut().filter(|flame| flame.follower.follow.is_some());
+            followers.for_each(|flame| flame.build_follower(surfaces));
+        }
         self.vertices.clear();
         self.points.clear();
         self.nets.clear();
@@ -295,7 +311,7 @@ impl Flames {
         for (flame, &group) in self.flames.iter().zip(&self.group_of) {
             let mut own = OwnLight::new(flame.roots.middle_and_length().0);
             for (surface, net, shade, free) in flame.surfaces() {
-                let plan = if free { &flame.free_plan } else { &flame.plan };
+                let plan = flame.drawn_plan(free);
                 let grid = self.plans.iter().position(|(p, _)| Arc::ptr_eq(p, plan)).unwrap_or(0);
                 let index = self.draws.len() as u32;
                 if surfaces == Surfaces::Vertices {
@@ -344,8 +360,7 @@ impl Flames {
     /// [`draws`](Self::draws).
     pub fn control_nets(&self) -> impl Iterator<Item = ControlNet<'_>> {
         self.flames.iter().flat_map(|flame| {
-            let plan = |is_free| if is_free { &flame.free_plan } else { &flame.plan };
-            flame.surfaces().map(move |(_, net, _, is_free)| plan(is_free).net(net, is_free))
+            flame.surfaces().map(move |(_, net, _, is_free)| flame.drawn_plan(is_free).net(net, is_free))
         })
     }
     /// Triangle indices, relative to each flame's first vertex.

@@ -12,6 +12,7 @@ mod air;
 mod burning;
 mod chains;
 mod check;
+mod detail;
 mod drive;
 mod error;
 mod flame;
@@ -33,6 +34,7 @@ mod wick;
 
 pub use air::{Air, Airs, Gas, ROOM_K, UniformAir};
 pub use burning::{Drive, FuelKind, Rate, combustion};
+pub use detail::{Detail, Follow};
 pub use error::FlameError;
 pub use flame::Source;
 pub use flames::{Flames, MAX_FLAMES, SavedFlames};

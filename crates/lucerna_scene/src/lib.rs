@@ -31,7 +31,7 @@ pub use builtin::{builtin, builtin_names};
 pub use camera::CameraKey;
 pub use error::SceneError;
 pub use load::{load, open, parse};
-pub use model::{Air, AirAdvection, AirSides, Fire, HeatAdvection, LoadedScene, MeshSource, Pressure, Scene};
+pub use model::{Air, AirAdvection, AirSides, Budget, Fire, HeatAdvection, LoadedScene, MeshSource, Pressure, Scene};
 pub use motion::{Motion, MotionKey, MotionPath};
 pub use place::{FireAir, Place};
 pub use presets::{apply_preset, presets};

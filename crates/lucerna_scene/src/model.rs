@@ -34,9 +34,22 @@ pub struct Scene {
     /// Opaque things.
     #[serde(default)]
     pub meshes: Vec<MeshSource>,
+    /// What the fires may cost; nothing is all that they need.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub detail: Option<Budget>,
     /// What moves.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub motions: Vec<Motion>,
+}
+
+/// What the fires of a world may cost. It is told in work, not in time: the same world does the same on any machine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Budget {
+    /// Cells of air that are advanced in each fixed step. Airs that no fire can do without count first.
+    pub cell_steps: u64,
+    /// Vertices of attached flames.
+    pub vertices: u64,
 }
 
 /// Which sides of the air's box are closed.

@@ -17,7 +17,7 @@ fn unknown_and_missing_fields_are_named() {
     fault(
         "(\n    name: \"x\",\n    wind: 3,\n)",
         "torch.ron:3:5: Unexpected field named `wind` in `Scene`, expected one of `name`, `seed`, `camera`, `camera_path`, \
-         `look`, `air`, `fires`, `meshes`, or `motions` instead",
+         `look`, `air`, `fires`, `meshes`, `detail`, or `motions` instead",
     );
     fault("(\n    name: \"x\",\n)", "torch.ron:3:1: Unexpected missing field named `air` in `Scene`");
     fault("(name: 3)", "torch.ron:1:7: Expected string");

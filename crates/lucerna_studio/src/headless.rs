@@ -113,6 +113,9 @@ impl<'a> Run<'a> {
     }
 
     fn step(&mut self, dt_s: f32) -> Result<StageTimes> {
+        let scene = &self.world.scene().scene;
+        let view = scene.camera_at(self.world.time_s());
+        self.world.set_view(&view)?;
         let step = self.world.step(dt_s)?;
         self.counts.push_step(&step);
         Ok(step.times)

@@ -4,9 +4,10 @@ use super::Flame;
 use crate::net::{self, Shaping};
 use crate::random::Fnv;
 use crate::spine::{self, Limits, Spine};
-use crate::surface::{Surface, Surfaces};
+use crate::surface::{Surface, SurfacePlan, Surfaces};
 use glam::Vec3;
 use lucerna_frame::FlameShade;
+use std::sync::Arc;
 
 /// Radius of the tightest bend of a spine, as a share of the flame's width.
 const TIGHTEST: f32 = 0.5;
@@ -141,13 +142,45 @@ impl Flame {
 
     /// Makes the nets and surfaces of the flame and of its free flames.
     pub(crate) fn build(&mut self, surfaces: Surfaces) {
+        let follower = &self.follower;
+        let (is_coarse, follows, is_asleep) = (follower.is_coarse, follower.follow.is_some(), follower.is_asleep());
+        if is_asleep {
+            return;
+        }
+        self.build_nets();
+        if self.fire.burns() && !follows {
+            if is_coarse {
+                self.surface.is_right_side_out(&self.coarse_plan, &self.net);
+            }
+            let plan = if is_coarse { &self.coarse_plan } else { &self.plan };
+            self.surface.build(plan, &self.net, surfaces);
+        }
+        let plan = if is_coarse { &self.coarse_free_plan } else { &self.free_plan };
+        for free in self.free.iter_mut().filter(|f| f.burning) {
+            if is_coarse {
+                free.surface.is_right_side_out(plan, &free.net);
+            }
+            free.surface.build(plan, &free.net, surfaces);
+        }
+    }
+
+    /// Makes the nets of the flame and of its free flames.
+    pub(crate) fn build_nets(&mut self) {
         if self.fire.burns() {
             self.build_net();
-            self.surface.build(&self.plan, &self.net, surfaces);
         }
         for free in self.free.iter_mut().filter(|f| f.burning) {
             free.build_net(&self.free_plan);
-            free.surface.build(&self.free_plan, &free.net, surfaces);
+        }
+    }
+
+    /// The plan that its surface, or those of its free flames, are drawn with.
+    pub(crate) fn drawn_plan(&self, is_free: bool) -> &Arc<SurfacePlan> {
+        match (is_free, self.follower.is_coarse) {
+            (false, false) => &self.plan,
+            (false, true) => &self.coarse_plan,
+            (true, false) => &self.free_plan,
+            (true, true) => &self.coarse_free_plan,
         }
     }
 
@@ -156,14 +189,21 @@ impl Flame {
     pub(crate) fn surfaces(&self) -> impl Iterator<Item = (&Surface, &[[f32; 3]], FlameShade, bool)> {
         let shade = self.settings.shade;
         let attached = FlameShade { strength: shade.strength * self.presence(), ..shade };
-        let free = self.free.iter().filter(|f| f.burning).map(move |f| {
+        let loose = move |strength: f32| {
             // A free flame has left the wick: it is soot from end to end, without a blue zone.
-            let strength = shade.strength * f.strength();
-            let loose =
-                FlameShade { soot_begin: 0.0, soot_full: 0.2, blue_per_m: 0.0, dark_radius: 0.0, strength, ..shade };
-            (&f.surface, &*f.net, loose, true)
-        });
-        self.fire.burns().then_some((&self.surface, &*self.net, attached, false)).into_iter().chain(free)
+            let strength = shade.strength * strength;
+            FlameShade { soot_begin: 0.0, soot_full: 0.2, blue_per_m: 0.0, dark_radius: 0.0, strength, ..shade }
+        };
+        let follows = self.follower.follow.is_some();
+        let left = if follows { 1.0 - self.follower.blend() } else { 1.0 };
+        let own = self.free.iter().filter(move |f| f.burning && left > 0.0);
+        let own = own.map(move |f| (&f.surface, &*f.net, loose(left * f.strength()), true));
+        let ghosts = self.follower.free.iter().filter(move |ghost| follows && ghost.strength > 0.0);
+        let ghosts = ghosts.map(move |ghost| (&ghost.surface, &*ghost.net, loose(ghost.strength), true));
+        // Together they are no more than it can have.
+        let free = own.chain(ghosts).take(self.free.len());
+        let net = if follows { &*self.follower.net } else { &*self.net };
+        self.fire.burns().then_some((&self.surface, net, attached, false)).into_iter().chain(free)
     }
 
     /// How much of its full strength the attached flame is drawn with: it comes and goes smoothly.
@@ -192,5 +232,6 @@ impl Flame {
         self.carried.pose.hash(fnv);
         self.chains.hash(fnv);
         self.free.iter().for_each(|f| f.hash(fnv));
+        self.follower.numbers().for_each(|number| fnv.word(number));
     }
 }

@@ -8,6 +8,7 @@ mod shed;
 
 use crate::air::Air;
 use crate::chains::Chains;
+use crate::detail::Follower;
 use crate::free::{self, Free};
 use crate::fuel::FuelFunction;
 use crate::life::Fire;
@@ -94,6 +95,10 @@ pub(crate) struct Flame {
     pub(crate) body: Vec3,
     /// What the roots do to the air in the coming step.
     pub(crate) doings: Doings,
+    /// The plans of the surfaces where they are coarse.
+    pub(crate) coarse_plan: Arc<SurfacePlan>,
+    coarse_free_plan: Arc<SurfacePlan>,
+    pub(crate) follower: Follower,
 }
 
 impl Flame {
@@ -124,6 +129,11 @@ impl Flame {
         // Free flames are small: half the samples do.
         let free_key =
             PlanKey { rows: free::ROWS, around: (key.around / 4 * 2).max(8), up: (key.up / 2).max(6), ..key };
+        let coarse = |key: PlanKey| PlanKey {
+            around: (key.around / 4 * 2).clamp(key.around.min(8), key.around),
+            up: (key.up / 2).clamp(key.up.min(6), key.up),
+            ..key
+        };
         let mut rng = Pcg::new(seed);
         let tongues = (0..leads).map(|_| Tongue { share: rng.next_unit(), reach: KINDLING, cut: None }).collect();
         let rest = roots.leads.iter().map(|l| l.position).chain(roots.peripherals.iter().map(|p| p.position));
@@ -163,6 +173,9 @@ impl Flame {
             free: (0..pool.min(MAX_FREE)).map(|_| Free::new(points)).collect(),
             body: blackbody_rgb(settings.shade.temperature_k),
             doings: Doings::default(),
+            coarse_plan: plan(coarse(key))?,
+            coarse_free_plan: plan(coarse(free_key))?,
+            follower: Follower::default(),
             settings,
             centreline,
             roots,
@@ -200,6 +213,11 @@ impl Flame {
 
     /// Emits, carries and retires particles; breaks and regrows tips.
     pub(crate) fn step(&mut self, air: &impl Air, dt_s: f32) {
+        let is_asleep = self.follower.is_asleep();
+        self.follower.step(dt_s);
+        if is_asleep {
+            return;
+        }
         let felt = self.feel(air);
         self.fire.step(&self.settings.life, &self.settings.drive, felt, self.flow, dt_s);
         if self.hot.is_some() {

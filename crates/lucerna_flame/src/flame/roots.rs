@@ -36,6 +36,9 @@ impl Flame {
     pub(crate) fn find_sources(&mut self, air: &impl Air, time_s: f64, step: u64) {
         self.doings.sources.clear();
         self.doings.feeds.clear();
+        if self.follower.is_asleep() {
+            return;
+        }
         self.sway(air);
         if !self.fire.burns() {
             self.flow = 0.0;

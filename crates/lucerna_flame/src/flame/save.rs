@@ -3,6 +3,7 @@
 use super::{Flame, Tongue};
 use crate::Pose;
 use crate::chains::Chains;
+use crate::detail::Follower;
 use crate::free::Free;
 use crate::life::Fire;
 use crate::random::Pcg;
@@ -24,6 +25,7 @@ pub(crate) struct SavedFlame {
     chains: Chains,
     drift_m: f64,
     free: Vec<Free>,
+    follower: Follower,
 }
 
 impl Flame {
@@ -38,11 +40,12 @@ impl Flame {
             chains: self.chains.clone(),
             drift_m: self.drift_m,
             free: self.free.iter().map(Free::saved).collect(),
+            follower: self.follower.clone(),
         }
     }
 
     /// Goes on from what was saved; says no where it is not of this flame, or holds what cannot be.
-    pub(crate) fn restore(&mut self, saved: &SavedFlame) -> bool {
+    pub(crate) fn restore(&mut self, saved: &SavedFlame, flames: usize) -> bool {
         let share = |x: &f32| (0.0..=1.0).contains(x);
         let tongue =
             |t: &Tongue| share(&t.share) && t.reach > 0.0 && share(&t.reach) && t.cut.as_ref().is_none_or(share);
@@ -54,6 +57,7 @@ impl Flame {
             && saved.drift_m.is_finite()
             && saved.hot.is_some() == self.hot.is_some()
             && saved.chains.fits(&self.chains, OLDEST_S)
+            && saved.follower.is_sound(flames)
             && saved.free.len() == self.free.len()
             && saved.free.iter().zip(&self.free).all(|(saved, free)| saved.fits(free));
         if !fits {
@@ -71,7 +75,8 @@ impl Flame {
         (self.fire, self.flow, self.drift_m) = (saved.fire, saved.flow, saved.drift_m);
         self.chains = saved.chains.clone();
         self.free.iter_mut().zip(&saved.free).for_each(|(free, saved)| free.inherit(saved));
-        self.trace_spines();
+        self.follower = saved.follower.clone();
+        self.build_nets();
         true
     }
 }
