@@ -139,3 +139,9 @@ pub fn read_rgba16f(device: &wgpu::Device, queue: &wgpu::Queue, texture: &wgpu::
 pub fn luminance([r, g, b]: [f32; 3]) -> f32 {
     0.2126 * r + 0.7152 * g + 0.0722 * b
 }
+
+/// The built-in scenes but the hall: that is too large to be burned and drawn again and again. The tests of the facade
+/// burn it.
+pub fn small_scenes() -> impl Iterator<Item = &'static &'static str> {
+    lucerna::scene::builtin_names().iter().filter(|name| **name != "hall")
+}

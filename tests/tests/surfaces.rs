@@ -121,7 +121,7 @@ fn both_ways(world: &mut World, mut see: impl FnMut(&Frame<'_>)) {
 #[test]
 fn the_gpu_makes_the_vertices_that_the_cpu_makes() {
     let mut bench = Bench::new();
-    for name in lucerna::scene::builtin_names() {
+    for name in lucerna_tests::small_scenes() {
         let mut worst = Worst::default();
         let mut world = burning(name, 0.6);
         for _ in 0..3 {
@@ -188,7 +188,7 @@ fn frame(flames: &Flames) -> Frame<'_> {
 #[test]
 fn both_ways_show_the_same_picture() {
     let mut bench = Bench::new();
-    for name in lucerna::scene::builtin_names() {
+    for name in lucerna_tests::small_scenes() {
         let mut world = burning(name, 1.0);
         let (camera, look) = (world.scene().scene.camera, world.scene().scene.look.clone());
         let mut pictures = Vec::new();

@@ -2,7 +2,7 @@
 //! is the same fire on any number of threads, and a world that is changed or reset is the world that was asked for.
 
 use lucerna::frame::Frame;
-use lucerna::scene::{LoadedScene, apply_preset, builtin, builtin_names};
+use lucerna::scene::{LoadedScene, apply_preset, builtin};
 use lucerna::{DebugLines, World};
 use lucerna_tests::{burning, step_once};
 
@@ -14,7 +14,7 @@ fn world(name: &str) -> World {
 
 #[test]
 fn the_air_keeps_its_volume_at_every_step() {
-    for name in builtin_names() {
+    for name in lucerna_tests::small_scenes() {
         let mut world = world(name);
         while world.time_s() < 2.5 {
             let summary = step_once(&mut world);
@@ -25,7 +25,7 @@ fn the_air_keeps_its_volume_at_every_step() {
 
 #[test]
 fn every_frame_can_be_drawn_whatever_the_time_step() {
-    for name in builtin_names() {
+    for name in lucerna_tests::small_scenes() {
         for time_step_s in [1e-4, 1e-3, 1.0 / 60.0, 0.1, 1.0, 10.0] {
             let mut loaded = builtin(name).expect(name);
             loaded.scene.air.time_step_s = time_step_s;
@@ -73,7 +73,7 @@ fn check_drawable(frame: &Frame<'_>, when: &str) {
 
 #[test]
 fn the_same_seed_is_the_same_fire_on_any_number_of_threads() {
-    for name in builtin_names() {
+    for name in lucerna_tests::small_scenes() {
         let burn = |threads: usize, seed: u64| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool of threads");
             pool.install(|| {
@@ -99,7 +99,7 @@ fn the_same_seed_is_the_same_fire_on_any_number_of_threads() {
 
 #[test]
 fn a_world_that_is_reset_burns_as_a_new_one() {
-    for name in builtin_names() {
+    for name in lucerna_tests::small_scenes() {
         // Changed while it burned, in everything that keeps it burning.
         let mut world = burning(name, 0.5);
         let mut changed = world.scene().clone();
@@ -141,7 +141,7 @@ fn another_scene_takes_the_place_of_the_first() {
 
 #[test]
 fn how_a_fire_is_looked_at_does_not_change_it() {
-    for name in builtin_names() {
+    for name in lucerna_tests::small_scenes() {
         let mut loaded = builtin(name).expect(name);
         loaded.scene.fires[0].skeletons.shed_per_s = 20.0;
         let mut world = World::new(loaded).expect(name);

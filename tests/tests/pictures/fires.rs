@@ -8,14 +8,13 @@ use lucerna::World;
 use lucerna::flame::WickShape;
 use lucerna::frame::{DebugView, Frame, Look};
 use lucerna::render::FireRenderer;
-use lucerna::scene::builtin_names;
 use lucerna_tests::{burning, luminance};
 use wgpu::TextureFormat::{Rgba8Unorm, Rgba8UnormSrgb, Rgba16Float};
 
 #[test]
 fn flames_stand_over_their_wicks_in_their_own_colours() {
     let mut painter = Painter::new(Rgba8UnormSrgb);
-    for name in builtin_names() {
+    for name in lucerna_tests::small_scenes() {
         let world = burning(name, 2.0);
         let scene = &world.scene().scene;
         let wick = middle_of_wicks(&world);
@@ -75,7 +74,7 @@ fn center_of(index: usize) -> Vec2 {
 #[test]
 fn the_opaque_view_is_the_scene_lit_by_its_flames_but_without_them() {
     let mut painter = Painter::new(Rgba8UnormSrgb);
-    for name in builtin_names() {
+    for name in lucerna_tests::small_scenes() {
         let world = burning(name, 1.0);
         let scene = &world.scene().scene;
         let without =
