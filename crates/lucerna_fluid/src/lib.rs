@@ -45,6 +45,7 @@ mod figures;
 mod fluid;
 mod forces;
 mod frame;
+mod gas;
 mod grid;
 mod lanes;
 mod limits;

@@ -17,6 +17,7 @@ pub(crate) struct Physics {
     pub(crate) smagorinsky: f32,
     pub(crate) deardorff: f32,
     pub(crate) turbulent_prandtl: f32,
+    pub(crate) hot_gas: bool,
     pub(crate) combustion: Option<Combustion>,
     pub(crate) radiation: Option<Radiation>,
 }
@@ -28,6 +29,7 @@ impl Default for Physics {
             smagorinsky: 0.0,
             deardorff: 0.0,
             turbulent_prandtl: 0.7,
+            hot_gas: false,
             combustion: None,
             radiation: None,
         }
@@ -95,6 +97,14 @@ impl FluidBuilder {
     /// their diffusivity, which is that of scalars, too. Default: 0.7.
     pub fn turbulent_prandtl(mut self, number: f32) -> Self {
         self.physics.turbulent_prandtl = number;
+        self
+    }
+
+    /// Lets viscosity and thermal diffusivity, which are those at ambient temperature then, grow with
+    /// temperature as those of air do: as its power of 1.7. Scalars spread as heat does. It decides
+    /// whether small flames stay steady. Default: they do not grow.
+    pub fn hot_gas(mut self, grows: bool) -> Self {
+        self.physics.hot_gas = grows;
         self
     }
 

@@ -6,6 +6,7 @@ use crate::advect::{Advection, pack, unpack};
 use crate::density::{self, Density};
 use crate::fluid::Fluid;
 use crate::forces;
+use crate::gas;
 use crate::obstacle::Solids;
 use crate::parallel::scan_planes;
 use crate::pressure::Projected;
@@ -108,7 +109,12 @@ impl Fluid {
             strain.measure(grid, &state.velocity);
             strain.become_viscosity(grid, settings.physics.smagorinsky);
         }
-        let eddy_m2_s = eddies.then_some(strain.viscosity.as_slice());
+        let is_hot = settings.physics.hot_gas;
+        if is_hot {
+            let kelvin = (state.temperature.data.as_slice(), settings.ambient_k);
+            gas::add_of_hot_gas(grid, &mut strain.viscosity, eddies, kelvin, settings.viscosity_m2_s);
+        }
+        let eddy_m2_s = (eddies || is_hot).then_some(strain.viscosity.as_slice());
         let viscosity = Diffusivity { uniform_m2_s: settings.viscosity_m2_s, eddy_m2_s };
         if viscosity.acts() {
             diffuse_velocity(grid, &mut state.velocity, viscosity, dt_s, walls, held, next_velocity, coefficients);
@@ -125,7 +131,14 @@ impl Fluid {
         if eddies {
             strain.scale(grid, 1.0 / settings.physics.turbulent_prandtl);
         }
-        let eddy_m2_s = eddies.then_some(strain.viscosity.as_slice());
+        let is_hot = settings.physics.hot_gas;
+        if is_hot {
+            let kelvin = (state.temperature.data.as_slice(), settings.ambient_k);
+            let at_ambient = settings.thermal_diffusivity_m2_s;
+            gas::add_of_hot_gas(grid, &mut strain.viscosity, eddies, kelvin, at_ambient);
+        }
+        let varies = eddies || is_hot;
+        let eddy_m2_s = varies.then_some(strain.viscosity.as_slice());
         let conduction = Diffusivity { uniform_m2_s: settings.thermal_diffusivity_m2_s, eddy_m2_s };
         if conduction.acts() {
             let is_thinned = settings.physics.density == Density::LowMach;
@@ -145,7 +158,7 @@ impl Fluid {
             if is_thinned {
                 density::to_kelvin(grid, field, ambient_k);
             }
-            if eddies || is_thinned {
+            if varies || is_thinned {
                 for index in 0..scalars.names.len() {
                     unpack(&state.packs, index, &mut scalar.data);
                     let sides = [[None; 2]; 3];

@@ -12,6 +12,12 @@ pub(crate) fn open_air(cells: [usize; 3], cell_m: f32) -> FluidBuilder {
         .smagorinsky(0.1)
 }
 
+/// Air for flames so small that viscosity, not eddies, decides what they do.
+pub(crate) fn candle_air(cells: [usize; 3], cell_m: f32) -> FluidBuilder {
+    // Of air at 293 K; Prandtl number 0.71.
+    open_air(cells, cell_m).smagorinsky(0.0).viscosity_m2_s(1.5e-5).thermal_diffusivity_m2_s(2.1e-5).hot_gas(true)
+}
+
 /// Gas that expands when heated, and the transport that suits it.
 pub(crate) fn schemes(builder: FluidBuilder) -> FluidBuilder {
     builder.density(Density::LowMach).advection(Advection::Conservative)

@@ -1,7 +1,7 @@
 //! All experiments.
 
 use crate::experiment::Experiment;
-use crate::laws::{heights, line_fire, mccaffrey, merging, puffing, radiation, rising_wave, wind};
+use crate::laws::{candles, heights, line_fire, mccaffrey, merging, puffing, radiation, rising_wave, wind};
 
 /// All experiments, cheap ones first.
 pub static EXPERIMENTS: &[Experiment] = &[
@@ -15,6 +15,8 @@ pub static EXPERIMENTS: &[Experiment] = &[
     wind::WIND,
     merging::MERGING,
     radiation::RADIATION,
+    candles::CANDLES,
+    candles::CANDLE_PAIRS,
 ];
 
 /// The names of all experiments.

@@ -1,5 +1,6 @@
 //! The laws, one a file.
 
+pub(crate) mod candles;
 pub(crate) mod heights;
 pub(crate) mod line_fire;
 pub(crate) mod mccaffrey;

@@ -61,6 +61,14 @@ fn spacing_hz(count: usize, dt_s: f64) -> f64 {
     0.1 / (count as f64 * dt_s)
 }
 
+/// How alike two signals of one length swing: 1 in phase, -1 in anti-phase.
+pub(crate) fn correlation(a: &[f64], b: &[f64]) -> f64 {
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+    let (mean_a, mean_b) = (mean(a), mean(b));
+    let sum = |of: &dyn Fn(f64, f64) -> f64| a.iter().zip(b).map(|(a, b)| of(a - mean_a, b - mean_b)).sum::<f64>();
+    sum(&|a, b| a * b) / (sum(&|a, _| a * a) * sum(&|_, b| b * b)).sqrt()
+}
+
 /// Slope and value at zero of the line through points by least squares.
 pub(crate) fn line(points: &[(f64, f64)]) -> (f64, f64) {
     let count = points.len() as f64;
@@ -92,6 +100,13 @@ mod tests {
             assert!((peak.hz - hz).abs() < 0.03 && peak.width_hz < 0.3, "{peak:?}");
         }
         assert!(strongest(&[2.0; 100], 0.01, [0.4, 20.0]).hz.is_nan());
+    }
+
+    #[test]
+    fn waves_in_and_against_phase_are_told_apart() {
+        let flat = |values: Vec<f64>| -> Vec<f64> { (0..1000).map(|at| values[at] - 0.01 * at as f64).collect() };
+        let (a, b, c) = (flat(wave(3.0, 0.0)), flat(wave(3.0, PI)), flat(wave(3.0, 0.5 * PI)));
+        assert!(correlation(&a, &a) > 0.999 && correlation(&a, &b) < -0.999 && correlation(&a, &c).abs() < 0.01);
     }
 
     #[test]

@@ -46,7 +46,7 @@ fn a_step_in_steady_state_allocates_nothing() {
         ("everything", plume().wind(Vec3::X).vorticity_confinement(2.0).cooling_per_s(0.2).cfl_limit(Some(0.2))),
         ("everything that diffuses", plume().viscosity_m2_s(1.0e-4).thermal_diffusivity_m2_s(1.0e-4)),
         ("scalars", (0..9).fold(plume().scalar("soot"), |builder, at| builder.scalar(format!("{at}")))),
-        ("fire", plume().combustion(Combustion::new(Fuel::WOOD)).smagorinsky(0.15)),
+        ("fire", plume().combustion(Combustion::new(Fuel::WOOD)).smagorinsky(0.15).hot_gas(true)),
         ("reflection", plume().advection(Advection::Reflection)),
         ("conservative", plume().advection(Advection::Conservative).scalar("soot").viscosity_m2_s(1.0e-4)),
         (

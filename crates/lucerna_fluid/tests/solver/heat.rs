@@ -1,6 +1,6 @@
 //! Hot air: rest, plumes, the balance of heat.
 
-use lucerna_fluid::{Advection, Fluid, Side, Sides, Vec3};
+use lucerna_fluid::{Advection, Fluid, Side, SideAt, Sides, Vec3};
 
 #[test]
 fn a_uniformly_hot_closed_box_stays_at_rest() {
@@ -89,4 +89,34 @@ fn cooling_is_exponential_whatever_the_step() {
         let expected = 100.0 * (-2.0_f32).exp();
         assert!((fluid.temperature(Vec3::splat(0.5)) / expected - 1.0).abs() < 1.0e-3);
     }
+}
+
+/// `a dT/dy` is the same everywhere with `a` as T^1.7: T^2.7 is a straight line.
+#[test]
+fn hot_gas_conducts_as_the_power_law_says() {
+    let mut fluid = Fluid::builder([4, 32, 4])
+        .size_m(Vec3::new(0.0125, 0.1, 0.0125))
+        .thermal_diffusivity_m2_s(1.0e-4)
+        .hot_gas(true)
+        .build()
+        .unwrap();
+    // Hot above, so that it stays at rest.
+    fluid.set_side_temperature(SideAt::Bottom, Some(0.0)).unwrap();
+    fluid.set_side_temperature(SideAt::Top, Some(1200.0)).unwrap();
+    for _ in 0..600 {
+        fluid.step(0.5).unwrap();
+    }
+    // From cell to cell; the law of the wall is another matter.
+    let ambient = f64::from(fluid.ambient_k());
+    let kelvins: Vec<f64> = fluid.temperatures().chunks_exact(4).take(32).map(|row| f64::from(row[0])).collect();
+    let power = |j: usize| (1.0 + kelvins[j] / ambient).powf(2.7);
+    let (low, high) = (power(3), power(28));
+    let mut worst = 0.0_f64;
+    for (j, kelvin) in kelvins.iter().enumerate().take(29).skip(3) {
+        let exact = ambient * ((low + (high - low) * (j as f64 - 3.0) / 25.0).powf(1.0 / 2.7) - 1.0);
+        worst = worst.max((kelvin - exact).abs());
+    }
+    assert!(kelvins[28] > kelvins[3] + 500.0, "{kelvins:?}");
+    println!("hot gas between a cold and a hot wall: {worst:.1} K off, of 1200 K");
+    assert!(worst < 6.0, "{worst}");
 }

@@ -90,7 +90,7 @@ fn saving_loading_and_going_on_equals_not_having_stopped() {
     for builder in [
         everything(),
         everything().pressure(PressureSolver::GaussSeidel { sweeps: 7 }),
-        everything().combustion(Combustion::new(Fuel::PROPANE)).smagorinsky(0.15),
+        everything().combustion(Combustion::new(Fuel::PROPANE)).smagorinsky(0.15).hot_gas(true),
         everything().advection(Advection::Reflection).density(Density::LowMach),
         everything().advection(Advection::Conservative).density(Density::LowMach).deardorff(0.1),
         Fluid::builder([5, 12, 6]),

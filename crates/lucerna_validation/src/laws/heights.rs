@@ -19,8 +19,8 @@ pub(crate) const POOLS: Experiment = Experiment {
     measures: "Height below which 99 % of the heat is released on average; beside it the height with burning gas half of \
                the time, and where the axis is 500 K above ambient. Puffing: speed on the axis half a diameter up. \
                Radiated shares are the measured ones.",
-    short: Some("cells of 3.8 and 4.6 cm, 2 to 6 s, methanol only"),
-    long: "12 cells across, box of 3 x 5 x 3 diameters, 3 to 15 s",
+    short: Some("6 cells across, 2 to 5 s, methanol only"),
+    long: "8 cells across, box of 3 x 5 x 3 diameters, 2.5 to 10 s",
     burn: pools,
 };
 
@@ -32,7 +32,7 @@ pub(crate) const HEIGHT_BY_HEAT: Experiment = Experiment {
     origin: Origin::Emergent,
     measures: "Height below which 99 % of the heat is released on average.",
     short: None,
-    long: "10 cells across, box of 4 x 7 x 4 diameters, 3 to 11 s each",
+    long: "8 cells across, box of 3.5 x 6 x 3.5 diameters, 2.5 to 7.5 s each",
     burn: by_heat,
 };
 
@@ -79,7 +79,7 @@ fn pools(run: &mut Run<'_>) -> Result<(), Halt> {
         Pool { name: "methanol", gas: METHANOL, diameter: 0.301, heat_kw: 19.2, height_m: 0.41, hz: 2.64 },
         Pool { name: "propane", gas: PROPANE.radiating(0.22), diameter: 0.37, heat_kw: 34.4, height_m: 0.75, hz: 2.31 },
     ];
-    let (across, times_s) = run.choose((8, [2.0, 6.0]), (12, [3.0, 15.0]));
+    let (across, times_s) = run.choose((6, [2.0, 5.0]), (8, [2.5, 10.0]));
     let count = run.choose(1, pools.len());
     let mut lines = Vec::new();
     for (at, pool) in pools.iter().take(count).enumerate() {
@@ -115,15 +115,15 @@ fn figures(run: &mut Run<'_>, what: &str, heights: &Heights, published_m: f64) {
 
 fn by_heat(run: &mut Run<'_>) -> Result<(), Halt> {
     const DIAMETER: f32 = 0.4;
-    const ACROSS: usize = 10;
+    const ACROSS: usize = 8;
     let mut found = Vec::new();
-    let heats = [20.0_f32, 43.0, 93.0, 200.0];
+    let heats = [20.0_f32, 63.0, 200.0];
     for (at, heat_kw) in heats.into_iter().enumerate() {
         run.part(at, heats.len());
         let cell_m = DIAMETER / ACROSS as f32;
         let burner = Burner::Round { diameter: DIAMETER };
-        let plan = Plan::new(METHANE, heat_kw, burner, cell_m, [4 * ACROSS, 7 * ACROSS, 4 * ACROSS]);
-        let heights = watch(run, &plan, 0.15 * cell_m, [3.0, 11.0])?.heights;
+        let plan = Plan::new(METHANE, heat_kw, burner, cell_m, [28, 6 * ACROSS, 28]);
+        let heights = watch(run, &plan, 0.15 * cell_m, [2.5, 7.5])?.heights;
         let law = 0.235 * f64::from(heat_kw).powf(0.4) - 1.02 * f64::from(DIAMETER);
         let figure =
             Figure::new(format!("height of {heat_kw} kW"), "m", law, heights.released_99_m, Allowed::Percent(25.0));

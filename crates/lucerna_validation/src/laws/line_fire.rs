@@ -15,20 +15,20 @@ pub(crate) const LINE_FIRE: Experiment = Experiment {
     origin: Origin::Emergent,
     measures: "Height below which 99 % of the heat is released on average; the box repeats along the slit.",
     short: None,
-    long: "cells of 1.67 cm, 0.8 x 1.2 x 0.27 m, 2 to 7 s each",
+    long: "cells of 2.5 cm, box of 0.8 x 1.2 x 0.3 m, 2 to 6 s each",
     burn,
 };
 
 fn burn(run: &mut Run<'_>) -> Result<(), Halt> {
-    const CELL_M: f32 = 0.05 / 3.0;
-    const CELLS: [usize; 3] = [48, 72, 16];
+    const CELL_M: f32 = 0.025;
+    const CELLS: [usize; 3] = [32, 48, 12];
     let length = CELL_M * CELLS[2] as f32;
     let mut found = Vec::new();
-    let heats = [25.0_f32, 50.0, 100.0, 200.0];
+    let heats = [25.0_f32, 70.0, 200.0];
     for (at, kw_m) in heats.into_iter().enumerate() {
         run.part(at, heats.len());
         let plan = Plan::new(PROPANE, kw_m * length, Burner::Line { width: 0.05 }, CELL_M, CELLS);
-        let heights = watch(run, &plan, 0.0025, [2.0, 7.0])?.heights;
+        let heights = watch(run, &plan, 0.005, [2.0, 6.0])?.heights;
         let law = 0.017 * f64::from(kw_m).powf(2.0 / 3.0);
         let figure =
             Figure::new(format!("height of {kw_m} kW/m"), "m", law, heights.released_99_m, Allowed::Percent(25.0));

@@ -13,15 +13,15 @@ pub(crate) const WIND: Experiment = Experiment {
     origin: Origin::Emergent,
     measures: "Angle from the vertical of the way from the burner to the middle of the burning gas, mean over time.",
     short: None,
-    long: "cells of 4.6 cm, box of 3.0 x 1.5 x 1.5 m, 3 to 8 s each",
+    long: "cells of 6.2 cm, box of 2.7 x 1.5 x 1.5 m, 3 to 7 s each",
     burn,
 };
 
 fn burn(run: &mut Run<'_>) -> Result<(), Halt> {
     const DIAMETER: f32 = 0.37;
     const HEIGHT_M: f64 = 0.75;
-    let cell_m = DIAMETER / 8.0;
-    let dt_s = 0.006;
+    let cell_m = DIAMETER / 6.0;
+    let dt_s = 0.01;
     let speeds = [0.0_f32, 0.3, 0.6, 1.0, 1.5, 2.0];
     let mut found = Vec::new();
     for (at, wind_m_s) in speeds.into_iter().enumerate() {
@@ -29,14 +29,14 @@ fn burn(run: &mut Run<'_>) -> Result<(), Halt> {
         let plan = Plan {
             wind_m_s,
             at_m: vec![-0.7],
-            ..Plan::new(PROPANE.radiating(0.22), 34.4, Burner::Round { diameter: DIAMETER }, cell_m, [64, 32, 32])
+            ..Plan::new(PROPANE.radiating(0.22), 34.4, Burner::Round { diameter: DIAMETER }, cell_m, [44, 24, 24])
         };
         let mut fire = plan.light()?;
         let (foot, id) = (fire.feet[0], fire.fuel);
         // Fuel that warms the gas around it by another 100 K and more.
         let least = 100.5 / plan.gas.fuel.heat_kj_kg;
         let (mut along, mut up, mut count) = (0.0_f64, 0.0_f64, 0.0_f64);
-        let [start, end] = [3.0, 8.0].map(|time: f32| (time / dt_s) as usize);
+        let [start, end] = [3.0, 7.0].map(|time: f32| (time / dt_s) as usize);
         run.steps(&mut fire.air, dt_s, end, |step, air, _| {
             if step < start || step % 4 != 0 {
                 return;
