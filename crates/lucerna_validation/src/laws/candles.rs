@@ -32,7 +32,7 @@ pub(crate) const CANDLE_PAIRS: Experiment = Experiment {
     origin: Origin::Emergent,
     measures: "Correlation of the heights of the two flames: 1 in phase, -1 in anti-phase.",
     short: None,
-    long: "cells of 2.5 mm, box of 10 x 9 x 5 cm, 0.8 to 1.8 s each",
+    long: "cells of 2.5 mm, box of 10 x 9 x 5 cm, 0.7 to 1.5 s each",
     burn: pairs,
 };
 
@@ -165,7 +165,7 @@ fn one_and_three(run: &mut Run<'_>) -> Result<(), Halt> {
 }
 
 fn pairs(run: &mut Run<'_>) -> Result<(), Halt> {
-    let (grid, dt_s, times_s) = (([40, 36, 20], 0.0025), 0.0025_f32, [0.8, 1.8]);
+    let (grid, dt_s, times_s) = (([40, 36, 20], 0.0025), 0.0025_f32, [0.7, 1.5]);
     let gaps = [0.02_f32, 0.03, 0.045];
     let (mut alike, mut rates) = (Vec::new(), Vec::new());
     for (at, gap) in gaps.into_iter().enumerate() {

@@ -32,7 +32,7 @@ pub(crate) const HEIGHT_BY_HEAT: Experiment = Experiment {
     origin: Origin::Emergent,
     measures: "Height below which 99 % of the heat is released on average.",
     short: None,
-    long: "8 cells across, box of 3.5 x 6 x 3.5 diameters, 2.5 to 7.5 s each",
+    long: "6 cells across, box of 3.5 x 6 x 3.5 diameters, 2 to 6 s each",
     burn: by_heat,
 };
 
@@ -115,15 +115,15 @@ fn figures(run: &mut Run<'_>, what: &str, heights: &Heights, published_m: f64) {
 
 fn by_heat(run: &mut Run<'_>) -> Result<(), Halt> {
     const DIAMETER: f32 = 0.4;
-    const ACROSS: usize = 8;
+    const ACROSS: usize = 6;
     let mut found = Vec::new();
     let heats = [20.0_f32, 63.0, 200.0];
     for (at, heat_kw) in heats.into_iter().enumerate() {
         run.part(at, heats.len());
         let cell_m = DIAMETER / ACROSS as f32;
         let burner = Burner::Round { diameter: DIAMETER };
-        let plan = Plan::new(METHANE, heat_kw, burner, cell_m, [28, 6 * ACROSS, 28]);
-        let heights = watch(run, &plan, 0.15 * cell_m, [2.5, 7.5])?.heights;
+        let plan = Plan::new(METHANE, heat_kw, burner, cell_m, [21, 6 * ACROSS, 21]);
+        let heights = watch(run, &plan, 0.15 * cell_m, [2.0, 6.0])?.heights;
         let law = 0.235 * f64::from(heat_kw).powf(0.4) - 1.02 * f64::from(DIAMETER);
         let figure =
             Figure::new(format!("height of {heat_kw} kW"), "m", law, heights.released_99_m, Allowed::Percent(25.0));

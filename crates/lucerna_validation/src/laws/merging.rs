@@ -16,7 +16,7 @@ pub(crate) const MERGING: Experiment = Experiment {
     measures: "Height above which the mean temperature midway between them is that above the burners or higher, over the \
                spacing of their middles.",
     short: None,
-    long: "burners of 0.1 m, cells of 2.5 cm, box of 0.8 x 1.2 x 0.6 m, 2 to 8 s each",
+    long: "burners of 0.1 m, cells of 2.5 cm, box of 0.8 x 1.2 x 0.6 m, 2 to 7 s",
     burn,
 };
 
@@ -24,7 +24,7 @@ fn burn(run: &mut Run<'_>) -> Result<(), Halt> {
     const CELL_M: f32 = 0.025;
     const CELLS: [usize; 3] = [32, 48, 24];
     let dt_s = 0.005;
-    let gaps = [0.16_f32, 0.24];
+    let gaps = [0.2_f32];
     let mut lines = Vec::new();
     for (at, gap) in gaps.into_iter().enumerate() {
         run.part(at, gaps.len());
@@ -37,7 +37,7 @@ fn burn(run: &mut Run<'_>) -> Result<(), Halt> {
         let middle = 0.5 * (feet[0] + feet[1]);
         let mut sums = vec![(0.0_f64, 0.0_f64); CELLS[1]];
         let height = |j: usize| (j as f32 + 0.5) * CELL_M;
-        let [start, end] = [2.0, 8.0].map(|time: f32| (time / dt_s) as usize);
+        let [start, end] = [2.0, 7.0].map(|time: f32| (time / dt_s) as usize);
         run.steps(&mut fire.air, dt_s, end, |step, air, _| {
             if step < start || step % 2 != 0 {
                 return;

@@ -19,7 +19,7 @@ pub(crate) const LIGHT_PLUME: Experiment = Experiment {
     origin: Origin::Emergent,
     measures: "Speed on the axis half a metre up; gas 0.185 times as dense as air (heat in place of helium).",
     short: None,
-    long: "10 cells across the plate, box of 3 x 4 x 3 m, 4 to 15 s",
+    long: "10 cells across the plate, box of 3 x 4 x 3 m, 4 to 13 s",
     burn: light_plume,
 };
 
@@ -31,13 +31,13 @@ pub(crate) const PUFFING: Experiment = Experiment {
     origin: Origin::Emergent,
     measures: "Speed on the axis half a diameter up; 1110 D^2.5 kW, nothing radiates.",
     short: Some("6 cells across, one burner"),
-    long: "8 cells across, box of 3 x 4 x 3 diameters, 6 to 22 puffs",
+    long: "8 cells across, box of 3 x 4 x 3 diameters, 6 to 20 puffs",
     burn: burners,
 };
 
 /// Step, start and end of what counts, for a burner of a metre; times go as the root of its width.
 const STEP_S: f32 = 0.01;
-const TIMES_S: [f32; 2] = [4.0, 15.0];
+const TIMES_S: [f32; 2] = [4.0, 13.0];
 /// Swings of less than this share of the mean are noise.
 pub(crate) const PUFFS: f64 = 0.1;
 

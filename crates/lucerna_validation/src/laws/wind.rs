@@ -22,7 +22,7 @@ fn burn(run: &mut Run<'_>) -> Result<(), Halt> {
     const HEIGHT_M: f64 = 0.75;
     let cell_m = DIAMETER / 6.0;
     let dt_s = 0.01;
-    let speeds = [0.0_f32, 0.3, 0.6, 1.0, 1.5, 2.0];
+    let speeds = [0.0_f32, 0.3, 1.0, 2.0];
     let mut found = Vec::new();
     for (at, wind_m_s) in speeds.into_iter().enumerate() {
         run.part(at, speeds.len());
