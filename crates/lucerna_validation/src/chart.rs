@@ -141,23 +141,20 @@ impl Chart {
         writeln!(out, "<text x=\"{left}\" y=\"18\" font-size=\"14\">{}</text>", escape(&self.title))?;
         for (value, label) in x.ticks() {
             let at = x.place(value);
-            writeln!(out, "<path class=\"t\" d=\"M{at:.1} {top}V{bottom}\"/>")?;
+            writeln!(out, "<path fill=\"none\" class=\"t\" d=\"M{at:.1} {top}V{bottom}\"/>")?;
             writeln!(out, "<text x=\"{at:.1}\" y=\"{}\" text-anchor=\"middle\">{label}</text>", bottom + 15.0)?;
         }
         for (value, label) in y.ticks() {
             let at = y.place(value);
-            writeln!(out, "<path class=\"t\" d=\"M{left} {at:.1}H{right}\"/>")?;
+            writeln!(out, "<path fill=\"none\" class=\"t\" d=\"M{left} {at:.1}H{right}\"/>")?;
             writeln!(out, "<text x=\"{}\" y=\"{:.1}\" text-anchor=\"end\">{label}</text>", left - 5.0, at + 4.0)?;
         }
-        writeln!(out, "<path class=\"a\" d=\"M{left} {top}V{bottom}H{right}\"/>")?;
+        writeln!(out, "<path fill=\"none\" class=\"a\" d=\"M{left} {top}V{bottom}H{right}\"/>")?;
         let middle = 0.5 * (left + right);
         let (below, label) = (bottom + 34.0, escape(&self.x.label));
         writeln!(out, "<text x=\"{middle}\" y=\"{below}\" text-anchor=\"middle\">{label}</text>")?;
         let (middle, label) = (0.5 * (top + bottom), escape(&self.y.label));
-        writeln!(
-            out,
-            "<text x=\"14\" y=\"{middle}\" text-anchor=\"middle\" transform=\"rotate(-90 14 {middle})\">{label}</text>"
-        )?;
+        writeln!(out, "<text text-anchor=\"middle\" transform=\"translate(14 {middle}) rotate(-90)\">{label}</text>")?;
         for (at, series) in self.series.iter().enumerate() {
             let colour = COLOURS[at % COLOURS.len()];
             let shown: Vec<(f64, f64)> = series.points.iter().copied().filter(can_show).collect();
@@ -169,7 +166,10 @@ impl Chart {
                 Mark::Points => {
                     let circles = places.chain([(right - 13.0, legend_y - 4.0)]);
                     for (px, py) in circles {
-                        writeln!(out, "<circle cx=\"{px:.1}\" cy=\"{py:.1}\" r=\"3.5\" stroke=\"{colour}\"/>")?;
+                        writeln!(
+                            out,
+                            "<circle fill=\"none\" cx=\"{px:.1}\" cy=\"{py:.1}\" r=\"3.5\" stroke=\"{colour}\"/>"
+                        )?;
                     }
                 }
                 Mark::Line | Mark::Dashes => {
@@ -179,7 +179,7 @@ impl Chart {
                     }
                     write!(path, "M{from} {0}H{to}", legend_y - 4.0)?;
                     let dashes = if series.mark == Mark::Dashes { " stroke-dasharray=\"5 3\"" } else { "" };
-                    writeln!(out, "<path class=\"l\" d=\"{path}\" stroke=\"{colour}\"{dashes}/>")?;
+                    writeln!(out, "<path fill=\"none\" class=\"l\" d=\"{path}\" stroke=\"{colour}\"{dashes}/>")?;
                 }
             }
             let name = escape(&series.name);
@@ -194,7 +194,7 @@ pub(crate) fn row(charts: &[Chart]) -> String {
     let (width, height) = (SIZE[0] * charts.len() as f64, SIZE[1]);
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" \
-         font-family=\"sans-serif\" font-size=\"11\">\n<style>path,circle{{fill:none}}.t{{stroke:#ddd}}.a{{stroke:#000}}\
+         font-family=\"sans-serif\" font-size=\"11\">\n<style>.t{{stroke:#ddd}}.a{{stroke:#000}}\
          .l{{stroke-width:1.6}}circle{{stroke-width:1.4}}</style>\n<rect width=\"{width}\" height=\"{height}\" \
          fill=\"#fff\"/>\n"
     );
