@@ -8,7 +8,7 @@ fn options_out_of_range_are_refused() {
     let place = Place::new("options");
     place.refuse("render", &["<SCENE>"]);
     place.refuse("burn candle", &["burn"]);
-    place.refuse("render bonfire", &["scene", "`bonfire`", "candle, torch, campfire"]);
+    place.refuse("render bonfire", &["scene", "`bonfire`", "candle, oil_lamp, chandelier, torch"]);
     place.refuse("render candle --preset pretty", &["preset", "`pretty`", "paper, draft, fine"]);
     place.refuse("render candle --shading flat", &["--shading", "flat", "shell, volume"]);
     for size in ["0x0", "20000x20", "-1x5", "15x16", "4", "axb", "1e3x9"] {
@@ -32,7 +32,7 @@ fn options_out_of_range_are_refused() {
     {
         place.refuse(&format!("export candle --out e {option} {value}"), &[option, value]);
     }
-    place.refuse("export bonfire --out e", &["scene", "`bonfire`", "candle, torch, campfire"]);
+    place.refuse("export bonfire --out e", &["scene", "`bonfire`", "candle, oil_lamp, chandelier, torch"]);
     assert!(!place.path("e").exists());
 }
 

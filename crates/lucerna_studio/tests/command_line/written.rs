@@ -77,15 +77,20 @@ fn flames_are_exported_without_a_graphics_device() {
         names
     };
     let said = export("--out all --format obj --nets --lights");
-    assert_eq!(said, "wrote 2 meshes to all\nwrote 2 files of control nets to all\nwrote all/lights.csv (2 frames)\n");
+    let meshes_and_nets = "wrote 2 meshes to all\nwrote 2 files of control nets to all\n";
+    let tables = "wrote all/lights.csv (2 frames)\nwrote all/flames.csv (2 frames)\n";
+    assert_eq!(said, [meshes_and_nets, tables].concat());
     let meshes = ["flames_00000.obj", "flames_00001.obj"];
-    assert_eq!(names("all"), [&meshes[..], &["lights.csv", "nets_00000.json", "nets_00001.json"]].concat());
+    let others = ["lights.csv", "nets_00000.json", "nets_00001.json"];
+    assert_eq!(names("all"), [&["flames.csv"], &meshes[..], &others].concat());
     let read = |name: &str| fs::read_to_string(place.path("all").join(name)).expect(name);
     assert!(read(meshes[0]).contains("g flame_0") && read(meshes[0]) != read(meshes[1]));
     // 0.2 s of warm-up, then the first frame's 1/20 s, in steps of 1/60 s.
     let net: Value = serde_json::from_str(&read("nets_00000.json")).expect("JSON");
     assert!((net["time_s"].as_f64().expect("a time") - 0.25).abs() < 1e-6, "{net}");
-    assert!(read("lights.csv").lines().last().expect("a row").starts_with("0.3"));
+    for table in ["lights.csv", "flames.csv"] {
+        assert!(read(table).lines().last().expect("a row").starts_with("0.3"), "{table}");
+    }
 
     assert_eq!(export("--out one"), "wrote one/flames.glb (2 frames)\n");
     assert_eq!(names("one"), ["flames.glb"]);
