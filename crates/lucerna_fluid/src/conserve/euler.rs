@@ -3,14 +3,14 @@
 use super::Conserver;
 use super::flux::{add_fluxes, courant, fluxes, mass_from_share};
 use super::momentum::Transport;
-use super::padded::{Shape, copy_in, inner, surround_cells, surround_faces, surround_fluxes, surround_pressure};
+use super::padded::{Shape, copy_in, for_rows, surround_cells, surround_faces, surround_fluxes, surround_pressure};
 use crate::advect::{pack, unpack};
 use crate::density::Density;
 use crate::fluid::Fluid;
 use crate::forces;
 use crate::grid::Grid;
 use crate::limits::MAX_TEMPERATURE_K;
-use crate::parallel::{for_planes, scan_planes};
+use crate::parallel::scan_planes;
 use crate::scalars::MAX_SCALAR;
 use crate::scratch::Scratch;
 use crate::sides::{Side, Wall, Walls, fix_sides};
@@ -146,26 +146,19 @@ fn against_grid(
     open: &[f32],
     flow: &mut [f32],
 ) {
-    let [nx, ny, nz] = grid.face_counts(axis);
-    for_planes(
-        grid.exec,
+    for_rows(
+        grid,
+        shape,
+        grid.face_counts(axis),
         flow,
-        shape.plane(),
         #[inline(always)]
-        |plane, out| {
-            let Some(k) = inner(plane, nz) else { return };
-            for j in 0..ny {
-                let at = shape.at([0, j, k]);
-                let out = &mut out[shape.row(j)..][..nx];
-                let velocity = &velocity[at..at + nx];
-                for i in 0..nx {
-                    out[i] = velocity[i] - frame_m_s;
-                }
-                if !open.is_empty() {
-                    let open = &open[nx * (j + ny * k)..][..nx];
-                    for i in 0..nx {
-                        out[i] *= open[i];
-                    }
+        |at, place, out| {
+            for (out, velocity) in out.iter_mut().zip(&velocity[at..]) {
+                *out = velocity - frame_m_s;
+            }
+            if !open.is_empty() {
+                for (out, open) in out.iter_mut().zip(&open[place..]) {
+                    *out *= open;
                 }
             }
         },
@@ -174,19 +167,15 @@ fn against_grid(
 
 /// Turns masses a volume into shares of the mass there. Both are padded.
 fn divide_by_density(grid: &Grid, shape: Shape, share: &[f32], values: &mut [f32]) {
-    let [nx, ny, nz] = grid.cells;
-    for_planes(
-        grid.exec,
+    for_rows(
+        grid,
+        shape,
+        grid.cells,
         values,
-        shape.plane(),
         #[inline(always)]
-        |plane, out| {
-            let Some(k) = inner(plane, nz) else { return };
-            for j in 0..ny {
-                let at = shape.at([0, j, k]);
-                for (value, share) in out[shape.row(j)..][..nx].iter_mut().zip(&share[at..at + nx]) {
-                    *value /= 1.0 - share;
-                }
+        |at, _, out| {
+            for (value, share) in out.iter_mut().zip(&share[at..]) {
+                *value /= 1.0 - share;
             }
         },
     );

@@ -4,7 +4,7 @@
 //! Comput. Phys. 23, 1977). In a step of Euler's no new extreme appears where half of a cell's air,
 //! or less, leaves it.
 
-use super::padded::{Shape, inner};
+use super::padded::{Shape, for_rows};
 use crate::grid::Grid;
 use crate::limits::MAX_AXIS_CELLS;
 use crate::parallel::{Partial, for_planes, reduce};
@@ -26,26 +26,22 @@ fn face_value(is_up: bool, [before, low, high, after]: [f32; 4]) -> f32 {
 
 /// Fills `out` with `flow` times the values at the faces across `axis`. All arrays are padded.
 pub(super) fn fluxes(grid: &Grid, shape: Shape, axis: usize, flow: &[f32], values: &[f32], out: &mut [f32]) {
-    let [nx, ny, nz] = grid.face_counts(axis);
     let stride = shape.strides[axis];
-    for_planes(
-        grid.exec,
+    for_rows(
+        grid,
+        shape,
+        grid.face_counts(axis),
         out,
-        shape.plane(),
         #[inline(always)]
-        |plane, out| {
-            let Some(k) = inner(plane, nz) else { return };
-            for j in 0..ny {
-                let at = shape.at([0, j, k]);
-                let out = &mut out[shape.row(j)..][..nx];
-                let flow = &flow[at..at + nx];
-                let before = &values[at - 2 * stride..][..nx];
-                let low = &values[at - stride..][..nx];
-                let high = &values[at..][..nx];
-                let after = &values[at + stride..][..nx];
-                for i in 0..nx {
-                    out[i] = flow[i] * face_value(flow[i] > 0.0, [before[i], low[i], high[i], after[i]]);
-                }
+        |at, _, out| {
+            let nx = out.len();
+            let flow = &flow[at..at + nx];
+            let before = &values[at - 2 * stride..][..nx];
+            let low = &values[at - stride..][..nx];
+            let high = &values[at..][..nx];
+            let after = &values[at + stride..][..nx];
+            for i in 0..nx {
+                out[i] = flow[i] * face_value(flow[i] > 0.0, [before[i], low[i], high[i], after[i]]);
             }
         },
     );
@@ -54,20 +50,15 @@ pub(super) fn fluxes(grid: &Grid, shape: Shape, axis: usize, flow: &[f32], value
 /// Turns the flux of what gas lacks of ambient density into that of mass, `flow - flux`, over
 /// ambient density. Both are padded.
 pub(super) fn mass_from_share(grid: &Grid, shape: Shape, axis: usize, flow: &[f32], flux: &mut [f32]) {
-    let [nx, ny, nz] = grid.face_counts(axis);
-    for_planes(
-        grid.exec,
+    for_rows(
+        grid,
+        shape,
+        grid.face_counts(axis),
         flux,
-        shape.plane(),
         #[inline(always)]
-        |plane, out| {
-            let Some(k) = inner(plane, nz) else { return };
-            for j in 0..ny {
-                let at = shape.at([0, j, k]);
-                let flow = &flow[at..at + nx];
-                for (out, flow) in out[shape.row(j)..][..nx].iter_mut().zip(flow) {
-                    *out = flow - *out;
-                }
+        |at, _, out| {
+            for (out, flow) in out.iter_mut().zip(&flow[at..]) {
+                *out = flow - *out;
             }
         },
     );

@@ -40,7 +40,7 @@ impl Shape {
 
     /// Where a row starts in its plane.
     #[inline(always)]
-    pub(super) fn row(&self, j: usize) -> usize {
+    fn row(&self, j: usize) -> usize {
         LOW + self.strides[1] * (j + LOW)
     }
 
@@ -63,12 +63,20 @@ impl Shape {
 
 /// The plane of `count` that a padded plane is; none for one of the layers.
 #[inline(always)]
-pub(super) fn inner(plane: usize, count: usize) -> Option<usize> {
+fn inner(plane: usize, count: usize) -> Option<usize> {
     plane.checked_sub(LOW).filter(|k| *k < count)
 }
 
-/// Copies a field with the given counts of values into a padded array.
-pub(super) fn copy_in(grid: &Grid, shape: Shape, field: &[f32], counts: [usize; 3], out: &mut [f32]) {
+/// Calls `work` with the place of each row of a padded array's own values, the row's place in an
+/// array that is not padded, and its values; `counts` are those without the layers.
+#[inline(always)]
+pub(super) fn for_rows(
+    grid: &Grid,
+    shape: Shape,
+    counts: [usize; 3],
+    out: &mut [f32],
+    work: impl Fn(usize, usize, &mut [f32]) + Sync + Send,
+) {
     let [nx, ny, nz] = counts;
     for_planes(
         grid.exec,
@@ -78,9 +86,21 @@ pub(super) fn copy_in(grid: &Grid, shape: Shape, field: &[f32], counts: [usize; 
         |plane, out| {
             let Some(k) = inner(plane, nz) else { return };
             for j in 0..ny {
-                out[shape.row(j)..][..nx].copy_from_slice(&field[nx * (j + ny * k)..][..nx]);
+                work(shape.at([0, j, k]), nx * (j + ny * k), &mut out[shape.row(j)..][..nx]);
             }
         },
+    );
+}
+
+/// Copies a field with the given counts of values into a padded array.
+pub(super) fn copy_in(grid: &Grid, shape: Shape, field: &[f32], counts: [usize; 3], out: &mut [f32]) {
+    for_rows(
+        grid,
+        shape,
+        counts,
+        out,
+        #[inline(always)]
+        |_, place, out| out.copy_from_slice(&field[place..][..out.len()]),
     );
 }
 
