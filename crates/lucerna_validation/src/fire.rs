@@ -21,10 +21,10 @@ pub(crate) struct Gas {
 pub(crate) const METHANE: Gas = Gas { fuel: Fuel::METHANE, density_kg_m3: 0.667 };
 /// C3H8.
 pub(crate) const PROPANE: Gas = Gas { fuel: Fuel::PROPANE, density_kg_m3: 1.84 };
-/// CH3OH, as vapour at its boiling point (338 K); heat of combustion and radiated share of the 0.3 m pool (S. Kim et al.,
-/// Fire Safety Journal 107, 2019; `MaCFP` tables).
+/// CH3OH, as vapour at its boiling point (338 K); heat of combustion of the liquid, and the radiated share of the 0.3 m
+/// pool (K. Sung, R. Falkenstein-Smith, A. Hamins, NIST Technical Note 2162r1, 2024, table 1.1: 0.24 ± 0.01).
 pub(crate) const METHANOL: Gas = Gas {
-    fuel: Fuel { heat_kj_kg: 19_940.0, oxygen_kg_kg: 1.5, soot_kg_kg: 0.0, radiated: 0.22 },
+    fuel: Fuel { heat_kj_kg: 19_940.0, oxygen_kg_kg: 1.5, soot_kg_kg: 0.0, radiated: 0.24 },
     density_kg_m3: 1.155,
 };
 

@@ -5,7 +5,8 @@ use lucerna_fluid::{AIR_GAS_CONSTANT_J_KG_K, AIR_PRESSURE_PA, Fluid, ScalarId, V
 
 /// Gas burns that holds fuel enough to warm it by this much more, K.
 const BURNING_K: f32 = 100.0;
-/// Mean excess on the axis at the tip of a flame, K (G. Heskestad, SFPE Handbook).
+/// Mean excess on the axis at the mean height of a flame, K: about 500 (G. Heskestad, *Fire Plumes, Flame Height, and Air
+/// Entrainment*, SFPE Handbook).
 const TIP_K: f64 = 500.0;
 
 /// Watches a fire, and sums up what its height is found from.

@@ -14,7 +14,9 @@ pub(crate) const CANDLES: Experiment = Experiment {
     name: "candles",
     title: "One candle, and three beside each other",
     law: "one is steady, 2 to 5 cm high; three flicker at 5 to 15 Hz",
-    source: "A. Gergely et al., Scientific Reports 10, 2020; H. Kitahata et al., J. Phys. Chem. A 113, 2009",
+    source: "A. Gergely et al., Flickering Candle Flames and their Collective Behavior, Scientific Reports 10, 2020; H. \
+             Kitahata et al., Oscillation and Synchronization in the Combustion of Candles, J. Phys. Chem. A 113, 2009; A. \
+             Hamins et al., Characterization of Candle Flames, J. Fire Prot. Eng. 15, 2005: 77 W, 4.2 cm",
     origin: Origin::Emergent,
     measures: "Wicks that give off wax for 80 W each, 6 mm from the middle of a group; height of \
                the gas 1000 K above ambient, speed of the air 5 cm above the floor. Viscosity and conduction are those of hot air, no \
@@ -28,7 +30,7 @@ pub(crate) const CANDLE_PAIRS: Experiment = Experiment {
     name: "candle_pairs",
     title: "Two groups of three candles",
     law: "in phase 2 cm apart, in anti-phase farther apart",
-    source: "H. Kitahata et al., J. Phys. Chem. A 113, 2009; A. Gergely et al., arXiv 2207.02019",
+    source: "H. Kitahata et al., J. Phys. Chem. A 113, 2009; A. Gergely et al., Scientific Reports 10, 2020",
     origin: Origin::Emergent,
     measures: "Correlation of the heights of the two flames: 1 in phase, -1 in anti-phase.",
     short: None,

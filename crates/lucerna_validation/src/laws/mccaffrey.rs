@@ -12,10 +12,10 @@ pub(crate) const MCCAFFREY: Experiment = Experiment {
     name: "mccaffrey",
     title: "McCaffrey's fire: 14.4 kW of gas on a square of 0.3 m",
     law: "speed 1.9 Q^0.2 in the middle; above it speed as z^(-1/3), temperature as z^(-5/3)",
-    source: "B. J. McCaffrey, NBSIR 79-1910",
+    source: "B. J. McCaffrey, Purely Buoyant Diffusion Flames: Some Experimental Results, NBSIR 79-1910, 1979",
     origin: Origin::Emergent,
     measures: "Means on the axis; the middle is z / Q^0.4 from 0.08 to 0.2, the plume from 0.2 to 0.5. The radiated share \
-               is his, 0.17.",
+               is his, 0.17 (Western States Section of the Combustion Institute, paper 81-15, 1981).",
     short: None,
     long: "cells of 5 cm, box of 1.2 x 2.1 x 1.2 m, 5 to 18 s",
     burn,

@@ -15,7 +15,8 @@ pub(crate) const LIGHT_PLUME: Experiment = Experiment {
     name: "light_plume",
     title: "Light gas from a plate of a metre",
     law: "1.37 Hz",
-    source: "T. O'Hern et al., J. Fluid Mech. 544, 2005: helium at 0.325 m/s, ten repeats from 1.19 to 1.53 Hz",
+    source: "T. O'Hern et al., Experimental Study of a Turbulent Buoyant Helium Plume, J. Fluid Mech. 544, 2005, table 1: \
+             helium at 0.325 m/s, ten repeats from 1.19 to 1.53 Hz",
     origin: Origin::Emergent,
     measures: "Speed on the axis half a metre up; gas 0.185 times as dense as air (heat in place of helium).",
     short: None,
@@ -27,7 +28,8 @@ pub(crate) const PUFFING: Experiment = Experiment {
     name: "puffing",
     title: "Methane on round burners of four sizes",
     law: "1.5 / sqrt(D) Hz",
-    source: "B. Cetegen, T. Ahmed, Combustion and Flame 93, 1993",
+    source: "B. Cetegen, T. Ahmed, Experiments on the Periodic Instability of Buoyant Plumes and Pool Fires, Combustion and \
+             Flame 93, 1993",
     origin: Origin::Emergent,
     measures: "Speed on the axis half a diameter up; 1110 D^2.5 kW, nothing radiates.",
     short: Some("6 cells across, one burner"),

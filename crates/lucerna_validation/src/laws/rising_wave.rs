@@ -13,7 +13,8 @@ pub(crate) const RISING_WAVE: Experiment = Experiment {
     name: "rising_wave",
     title: "Light gas under air",
     law: "a small wave grows at sqrt(A g k), A the difference of the densities over their sum",
-    source: "G. I. Taylor, Proc. R. Soc. A 201, 1950",
+    source: "G. I. Taylor, The Instability of Liquid Surfaces when Accelerated in a Direction Perpendicular to their \
+             Planes, Proc. R. Soc. A 201, 1950",
     origin: Origin::Emergent,
     measures: "Height of a wave of 2 m on a layer at rest, until it is four times as high.",
     short: Some("32 cells across half a wave"),
