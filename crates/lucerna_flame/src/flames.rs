@@ -307,6 +307,7 @@ impl Flames {
         self.lights.clear();
         self.flame_lights.clear();
         self.light_groups.iter_mut().for_each(LightGroup::clear);
+        self.reserve(surfaces);
         let mut first_vertex = 0;
         for (flame, &group) in self.flames.iter().zip(&self.group_of) {
             let mut own = OwnLight::new(flame.roots.middle_and_length().0);
@@ -334,6 +335,22 @@ impl Flames {
             self.flame_lights.push(own.finish(flame.fire.lit, flame.radiated_w()));
         }
         self.lights.extend(self.light_groups.iter().flat_map(LightGroup::lights));
+    }
+
+    /// Memory for all that can burn at once, so that nothing is allocated when a tip breaks away.
+    fn reserve(&mut self, surfaces: Surfaces) {
+        let counts = self.flames.iter().map(Flame::most);
+        let [draws, vertices, points] = counts.fold([0; 3], |sum, most| std::array::from_fn(|i| sum[i] + most[i]));
+        self.draws.reserve(draws);
+        self.shades.reserve(draws);
+        self.flame_lights.reserve(self.flames.len());
+        self.lights.reserve(3 * self.light_groups.len());
+        if surfaces == Surfaces::Vertices {
+            self.vertices.reserve(vertices);
+        } else {
+            self.nets.reserve(draws);
+            self.points.reserve(points);
+        }
     }
 
     /// Simulated time, s.

@@ -41,13 +41,15 @@ pub(crate) struct Free {
 }
 
 impl Free {
-    /// Memory for chains of `points` points.
-    pub(crate) fn new(points: usize) -> Self {
+    /// Memory for chains of `points` points, and for a surface.
+    pub(crate) fn new(points: usize, plan: &SurfacePlan) -> Self {
         Self {
             points: vec![Vec3::ZERO; (ROWS + 1) * points],
             lengths: vec![0.0; points],
             shaped: vec![Vec3::ZERO; points],
             net: vec![[0.0; 3]; ROWS * (points + 2)],
+            raw_net: Vec::with_capacity(ROWS * (points + 2)),
+            surface: Surface::of_size(plan),
             ..Self::default()
         }
     }

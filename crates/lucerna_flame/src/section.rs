@@ -26,21 +26,31 @@ const AT_KNOT: [f32; 4] = [1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0, 0.0];
 const BETWEEN: [f32; 4] = [1.0 / 48.0, 23.0 / 48.0, 23.0 / 48.0, 1.0 / 48.0];
 
 impl Section {
-    /// The cut whose ring has these control points, of which the first lies on the axis that the others mirror.
+    /// The cut whose ring has these control points, 4 or more, of which the first lies on the axis that the others
+    /// mirror.
     pub(crate) fn of(ring: &[Vec3]) -> Self {
         let n = ring.len();
         let middle = ring.iter().sum::<Vec3>() / n as f32;
-        let at = |i: usize| ring[i % n] - middle;
-        let neighbours = |i: usize| (1..=AREA.len()).map(|d| at(i + d) * AREA[d - 1]).sum::<Vec3>();
-        let area = (0..n).map(|i| at(i).cross(neighbours(i))).sum();
+        let wrapped = |i: usize| if i < n { i } else { i - n };
+        let at = |i: usize| ring[wrapped(i)] - middle;
+        let mut area = Vec3::ZERO;
+        let mut four = [at(0), at(1), at(2), at(3)];
+        for i in 0..n {
+            let [here, first, second, third] = four;
+            area += here.cross(first * AREA[0] + second * AREA[1] + third * AREA[2]);
+            four = [first, second, third, at(i + 4)];
+        }
         // Distance to the mirror image, at every knot and halfway to the next.
-        let across = |i: usize| ring[i % n] - ring[(n - i % n) % n];
-        let distance = |i: usize, splines: [f32; 4]| {
-            let sum: Vec3 = splines.iter().enumerate().map(|(k, spline)| across(i + n - 1 + k) * *spline).sum();
-            sum.length_squared()
-        };
-        let square =
-            (0..n.div_ceil(2)).fold(0.0, |most: f32, i| most.max(distance(i, AT_KNOT)).max(distance(i, BETWEEN)));
+        let across = |i: usize| ring[wrapped(i)] - ring[wrapped(n - wrapped(i))];
+        let mut four = [across(n - 1), across(0), across(1), across(2)];
+        let mut square = 0.0_f32;
+        for i in 0..n.div_ceil(2) {
+            for splines in [AT_KNOT, BETWEEN] {
+                let [a, b, c, d] = [0, 1, 2, 3].map(|k| four[k] * splines[k]);
+                square = square.max((a + b + c + d).length_squared());
+            }
+            four = [four[1], four[2], four[3], across(i + 3)];
+        }
         Self { middle, area, height: 0.0, radius_m: (0.5 * square.sqrt()).max(crate::surface::THINNEST_M) }
     }
 }

@@ -66,6 +66,8 @@ pub(crate) struct SurfacePlan {
     grid: GridPlan<f32>,
     /// For each ring of vertices: the first of the net's columns that it depends on, and their weights.
     weights: Vec<(usize, [f32; 4])>,
+    /// For each vertex of a ring: the first of the padded ring's points that it depends on, and their weights.
+    around: Vec<(usize, [f32; 4])>,
     /// Both ends are points (one lead skeleton), not slits.
     poles: bool,
 }
@@ -97,7 +99,15 @@ impl SurfacePlan {
             }
             weights.push((basis.first(), four));
         }
-        Ok(Self { key, knots: [around, along], grid, weights, poles })
+        let spline = |k: usize| {
+            // The uniform cubic spline at its parameter, in rows.
+            let (row, t) = (k * key.rows / key.around, (k * key.rows % key.around) as f32 / key.around as f32);
+            let u = 1.0 - t;
+            let six = [u * u * u, 4.0 - 6.0 * t * t + 3.0 * t * t * t, 4.0 - 6.0 * u * u + 3.0 * u * u * u, t * t * t];
+            (row, six.map(|six| six / 6.0))
+        };
+        let splines = (0..key.around).map(spline).collect();
+        Ok(Self { key, knots: [around, along], grid, weights, around: splines, poles })
     }
 
     pub(crate) fn vertex_count(&self) -> usize {
@@ -136,10 +146,26 @@ pub(crate) struct Surface {
     /// Heights of the net's columns.
     pub(crate) columns: Vec<f32>,
     scratch: Scratch<f32>,
-    ring: Vec<Vec3>,
+    /// The control points of each ring of vertices, with the last before them and the first two after them.
+    rings: Vec<Vec3>,
+    /// The corners of each ring, without normals.
+    corners: Vec<Vec3>,
 }
 
 impl Surface {
+    /// With the memory that a surface of this plan needs.
+    pub(crate) fn of_size(plan: &SurfacePlan) -> Self {
+        let (rings, rows) = (plan.weights.len(), plan.key.rows + 3);
+        Self {
+            vertices: Vec::with_capacity(plan.vertex_count()),
+            sections: Vec::with_capacity(rings),
+            columns: Vec::with_capacity(plan.key.columns),
+            scratch: plan.grid.scratch(),
+            rings: Vec::with_capacity(rings * rows),
+            corners: Vec::with_capacity(rings * plan.around.len()),
+        }
+    }
+
     /// Measures the net of `rows` x `columns` control points that [`is_right_side_out`](Self::is_right_side_out) has
     /// seen last, and makes the vertices where they are asked for.
     pub(crate) fn build(&mut self, plan: &SurfacePlan, net: &[[f32; 3]], surfaces: Surfaces) {
@@ -175,48 +201,54 @@ impl Surface {
         wrong <= MOST_WRONG * right
             && enclosed >= LEAST_FACING * most
             && rough >= LEAST_FACING * enclosed
-            && (is_plain || self.drawn_volume(plan, net) >= LEAST_FACING * enclosed)
+            && (is_plain || self.drawn_volume(plan) >= LEAST_FACING * enclosed)
             && (!plan.poles || self.sections.windows(3).all(faces))
     }
 
     /// Cuts the surface at every ring of vertices.
     fn cut(&mut self, plan: &SurfacePlan, net: &[[f32; 3]]) {
         self.sections.clear();
+        self.rings.clear();
         for (first, weights) in &plan.weights {
-            let columns = *first..first + weights.len();
-            self.ring.clear();
-            self.ring.extend(net.chunks_exact(plan.key.columns).map(|row| {
-                let row = row[columns.clone()].iter().zip(weights);
-                row.map(|(point, weight)| Vec3::from(*point) * *weight).sum::<Vec3>()
+            let start = self.rings.len();
+            self.rings.push(Vec3::ZERO);
+            self.rings.extend(net.chunks_exact(plan.key.columns).map(|row| {
+                let mut point = Vec3::ZERO;
+                for (column, weight) in row[*first..].iter().zip(weights) {
+                    point += Vec3::from(*column) * *weight;
+                }
+                point
             }));
-            self.sections.push(Section::of(&self.ring));
+            let (first, last) = (start + 1, self.rings.len() - 1);
+            self.sections.push(Section::of(&self.rings[first..]));
+            self.rings[start] = self.rings[last];
+            self.rings.extend_from_within(first..first + 2);
         }
     }
 
-    /// What the surface encloses as it is drawn, with its samples around, m^3.
-    fn drawn_volume(&mut self, plan: &SurfacePlan, net: &[[f32; 3]]) -> f32 {
-        let (rows, around) = (plan.key.rows, plan.key.around);
-        let origin = net.first().copied().map(Vec3::from).unwrap_or_default();
-        let rings = plan.weights.len();
-        let mut drawn = vec![[0.0; 3]; rings * around];
-        for (ring, (first, weights)) in plan.weights.iter().enumerate() {
-            self.ring.clear();
-            self.ring.extend(net.chunks_exact(plan.key.columns).map(|row| {
-                let row = row[*first..*first + weights.len()].iter().zip(weights);
-                row.map(|(point, weight)| Vec3::from(*point) * *weight).sum::<Vec3>() - origin
+    /// What the surface that was cut encloses as it is drawn, with its samples around, m^3.
+    fn drawn_volume(&mut self, plan: &SurfacePlan) -> f32 {
+        let origin = self.rings.first().copied().unwrap_or_default();
+        self.corners.clear();
+        for ring in self.rings.chunks_exact(plan.key.rows + 3) {
+            self.corners.extend(plan.around.iter().map(|(first, weights)| {
+                let mut corner = -origin;
+                for (point, weight) in ring[*first..].iter().zip(weights) {
+                    corner += *point * *weight;
+                }
+                corner
             }));
+        }
+        let around = plan.around.len();
+        let mut six = 0.0;
+        for (upper, lower) in self.corners.chunks_exact(around).zip(self.corners[around..].chunks_exact(around)) {
+            let mut before = around - 1;
             for k in 0..around {
-                // The uniform cubic spline at its parameter, in rows.
-                let (row, t) = (k * rows / around, (k * rows % around) as f32 / around as f32);
-                let at = |i: usize| self.ring[(row + i + rows - 1) % rows];
-                let u = 1.0 - t;
-                let splines =
-                    [u * u * u, 4.0 - 6.0 * t * t + 3.0 * t * t * t, 4.0 - 6.0 * u * u + 3.0 * u * u * u, t * t * t];
-                let point = (0..4).map(|i| at(i) * splines[i]).sum::<Vec3>() / 6.0;
-                drawn[k * rings + ring] = point.to_array();
+                six += cell(upper[before], upper[k], lower[before], lower[k]);
+                before = k;
             }
         }
-        volume_of(&drawn, rings)
+        six / 6.0
     }
 
     fn evaluate(&mut self, plan: &SurfacePlan, net: &[[f32; 3]]) {
@@ -259,15 +291,23 @@ impl Surface {
 
 /// What a net encloses, m^3: its rows run clockwise seen from the tip, its columns from tip to root.
 fn volume_of(net: &[[f32; 3]], columns: usize) -> f32 {
-    let rows = net.len() / columns;
-    let at = |r: usize, c: usize| Vec3::from(net[r % rows * columns + c]) - Vec3::from(net[0]);
-    let six = |a: Vec3, b: Vec3, c: Vec3| a.dot(b.cross(c));
-    let cell = |r: usize, c: usize| {
-        // Twisted cells enclose more or less by the diagonal along which they are cut: the one that is drawn.
-        let (a, b, d, e) = (at(r, c), at(r + 1, c), at(r, c + 1), at(r + 1, c + 1));
-        six(a, b, e) + six(a, e, d)
-    };
-    (0..rows).flat_map(|r| (0..columns - 1).map(move |c| (r, c))).map(|(r, c)| cell(r, c)).sum::<f32>() / 6.0
+    let origin = Vec3::from(net[0]);
+    let at = |point: [f32; 3]| Vec3::from(point) - origin;
+    let mut six = 0.0;
+    let mut before = &net[net.len() - columns..];
+    for row in net.chunks_exact(columns) {
+        for (a, b) in before.windows(2).zip(row.windows(2)) {
+            six += cell(at(a[0]), at(b[0]), at(a[1]), at(b[1]));
+        }
+        before = row;
+    }
+    six / 6.0
+}
+
+/// Six times the volume between a cell and the origin: two corners, and the next towards the root below each. Twisted
+/// cells enclose more or less by the diagonal along which they are cut: the one that is drawn.
+fn cell(a: Vec3, b: Vec3, below_a: Vec3, below_b: Vec3) -> f32 {
+    a.dot(below_b.cross(below_a - b))
 }
 
 /// Half the distance between the two sides of a ring: vertex i mirrors vertex n - i about the wick.

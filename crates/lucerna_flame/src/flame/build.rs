@@ -184,6 +184,13 @@ impl Flame {
         }
     }
 
+    /// Most surfaces that it can have at once, with their vertices and control points.
+    pub(crate) fn most(&self) -> [usize; 3] {
+        let free = self.free.len();
+        let points = self.net.len() + self.free.iter().map(|free| free.net.len()).sum::<usize>();
+        [1 + free, self.plan.vertex_count() + free * self.free_plan.vertex_count(), points]
+    }
+
     /// The surfaces that burn now with their nets, the attached one first, how they are shaded, and whether they are
     /// free.
     pub(crate) fn surfaces(&self) -> impl Iterator<Item = (&Surface, &[[f32; 3]], FlameShade, bool)> {

@@ -149,6 +149,7 @@ impl Flame {
         } else {
             0
         };
+        let (own_plan, free_plan) = (plan(key)?, plan(free_key)?);
         Ok(Self {
             seed,
             rng,
@@ -166,11 +167,11 @@ impl Flame {
             rooms: vec![0.0; leads * points],
             heights: vec![0.0; points],
             net: vec![[0.0; 3]; rows * (points + 2)],
-            raw_net: Vec::new(),
-            plan: plan(key)?,
-            free_plan: plan(free_key)?,
-            surface: Surface::default(),
-            free: (0..pool.min(MAX_FREE)).map(|_| Free::new(points)).collect(),
+            raw_net: Vec::with_capacity(rows * (points + 2)),
+            surface: Surface::of_size(&own_plan),
+            free: (0..pool.min(MAX_FREE)).map(|_| Free::new(points, &free_plan)).collect(),
+            plan: own_plan,
+            free_plan,
             body: blackbody_rgb(settings.shade.temperature_k),
             doings: Doings::default(),
             coarse_plan: plan(coarse(key))?,
