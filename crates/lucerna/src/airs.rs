@@ -199,9 +199,10 @@ impl Airs {
 
     /// Adds to the airs that are due what flames and the rows' buoyancy do to them in the coming step, and makes it.
     ///
-    /// Returns the largest dimensionless divergence that is left.
-    pub(crate) fn step(&mut self, flames: &Flames, details: &Details, dt_s: f32) -> Result<f32, FluidError> {
-        let mut divergence = 0.0_f32;
+    /// Returns the largest dimensionless divergence that is left, and how many cells were advanced, once for each part
+    /// of the step.
+    pub(crate) fn step(&mut self, flames: &Flames, details: &Details, dt_s: f32) -> Result<(f32, u64), FluidError> {
+        let (mut divergence, mut cell_steps) = (0.0_f32, 0);
         let is_due = |number: usize| !details.is_on() || details.is_due(flames, number);
         for (batch, numbers) in self.batches.iter_mut().zip(&self.numbers) {
             // The first box that refuses, whichever thread is first to find one.
@@ -226,8 +227,11 @@ impl Airs {
             }
             let reports = batch.step_where(dt_s, |at| is_due(numbers[at]))?;
             divergence = reports.iter().fold(divergence, |most, report| most.max(report.divergence_after));
+            let due = reports.iter().zip(numbers).filter(|(_, number)| is_due(**number));
+            let parts: u64 = due.map(|(report, _)| u64::from(report.substeps.max(1))).sum();
+            cell_steps += parts * airs[numbers[0]].air.cells.iter().map(|n| u64::from(*n)).product::<u64>();
         }
-        Ok(divergence)
+        Ok((divergence, cell_steps))
     }
 
     /// Lets the boxes go along with what carries them in the coming step.

@@ -20,6 +20,8 @@ pub struct StepSummary {
     pub steps: u32,
     /// Fixed steps that were due but dropped because the cap of [`MAX_STEPS`](crate::MAX_STEPS) was reached.
     pub dropped: u32,
+    /// Cells of air that were advanced, once for each part of a step.
+    pub cell_steps: u64,
     /// Largest dimensionless divergence left after any of the steps' projections.
     pub divergence: f32,
     /// Where the time went.

@@ -103,7 +103,8 @@ impl World {
             self.movers.advance(&mut self.flames, time_s, steps + 1 - done, step_s)?;
             self.airs.carry(&self.movers, step_s)?;
             self.flames.sources(&self.airs);
-            let divergence = self.airs.step(&self.flames, &self.details, step_s)?;
+            let (divergence, cell_steps) = self.airs.step(&self.flames, &self.details, step_s)?;
+            summary.cell_steps += cell_steps;
             summary.divergence = summary.divergence.max(divergence);
             summary.times.fluid_ms += ms_since(start);
             let start = Instant::now();

@@ -98,7 +98,7 @@ impl Gpu {
 /// A colour target of a fixed size and the buffer that its pixels are read back through.
 #[derive(Debug)]
 pub struct Target {
-    /// The view that fire is drawn into ([`TARGET_FORMAT`]).
+    /// The view that fire is drawn into.
     pub view: wgpu::TextureView,
     texture: wgpu::Texture,
     buffer: wgpu::Buffer,
@@ -106,8 +106,13 @@ pub struct Target {
 }
 
 impl Target {
-    /// Makes a target.
+    /// Makes a target for pictures ([`TARGET_FORMAT`]).
     pub fn new(gpu: &Gpu, size_px: [u32; 2]) -> Result<Self> {
+        Self::with_format(gpu, size_px, TARGET_FORMAT)
+    }
+
+    /// Makes a target of another uncompressed format.
+    pub fn with_format(gpu: &Gpu, size_px: [u32; 2], format: wgpu::TextureFormat) -> Result<Self> {
         let most = gpu.device.limits().max_texture_dimension_2d;
         let [width, height] = size_px;
         if width.max(height) > most {
@@ -119,15 +124,15 @@ impl Target {
             mip_level_count: 1,
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
-            format: TARGET_FORMAT,
+            format,
             usage: wgpu::TextureUsages::RENDER_ATTACHMENT
                 | wgpu::TextureUsages::COPY_SRC
                 | wgpu::TextureUsages::TEXTURE_BINDING,
-            view_formats: &[TARGET_FORMAT.remove_srgb_suffix()],
+            view_formats: &[format.remove_srgb_suffix()],
         });
         let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("read-back"),
-            size: u64::from(row_bytes(width)) * u64::from(height),
+            size: u64::from(row_bytes(width, format)) * u64::from(height),
             usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
             mapped_at_creation: false,
         });
@@ -145,7 +150,7 @@ impl Target {
     #[must_use]
     pub fn display_view(&self) -> wgpu::TextureView {
         self.texture.create_view(&wgpu::TextureViewDescriptor {
-            format: Some(TARGET_FORMAT.remove_srgb_suffix()),
+            format: Some(self.texture.format().remove_srgb_suffix()),
             usage: Some(wgpu::TextureUsages::TEXTURE_BINDING),
             ..Default::default()
         })
@@ -153,8 +158,18 @@ impl Target {
 
     /// Copies the pixels to the processor: rows of red, green, blue, from the top, into `rgb`.
     pub fn read(&self, gpu: &Gpu, rgb: &mut Vec<u8>) -> Result<()> {
-        let [width, height] = self.size_px;
-        let stride = row_bytes(width);
+        rgb.clear();
+        self.read_rows(gpu, |row| {
+            let (pixels, _) = row.as_chunks::<4>();
+            rgb.extend(pixels.iter().flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]));
+        })
+    }
+
+    /// Hands the bytes of each row of pixels to `look`, from the top.
+    pub fn read_rows(&self, gpu: &Gpu, look: impl FnMut(&[u8])) -> Result<()> {
+        let [width, _] = self.size_px;
+        let format = self.texture.format();
+        let stride = row_bytes(width, format);
         let mut encoder = gpu.encoder();
         encoder.copy_texture_to_buffer(
             self.texture.as_image_copy(),
@@ -172,21 +187,21 @@ impl Target {
         });
         gpu.wait()?;
         receiver.recv_timeout(PATIENCE).context("the picture never arrived")?.context("the picture cannot be read")?;
-        rgb.clear();
-        rgb.reserve(width as usize * height as usize * 3);
         {
             let bytes = self.buffer.get_mapped_range(..).context("the picture cannot be read")?;
-            for row in bytes.chunks_exact(stride as usize) {
-                let (pixels, _) = row[..width as usize * 4].as_chunks::<4>();
-                rgb.extend(pixels.iter().flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]));
-            }
+            let used = (width * pixel_bytes(format)) as usize;
+            bytes.chunks_exact(stride as usize).map(|row| &row[..used]).for_each(look);
         }
         self.buffer.unmap();
         Ok(())
     }
 }
 
-/// Bytes of a padded row of RGBA pixels.
-fn row_bytes(width: u32) -> u32 {
-    (width * 4).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT)
+/// Bytes of a padded row of pixels.
+fn row_bytes(width: u32, format: wgpu::TextureFormat) -> u32 {
+    (width * pixel_bytes(format)).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT)
+}
+
+fn pixel_bytes(format: wgpu::TextureFormat) -> u32 {
+    format.block_copy_size(None).unwrap_or(4)
 }

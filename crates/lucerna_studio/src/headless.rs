@@ -2,6 +2,7 @@
 
 use crate::gpu::{Gpu, TARGET_FORMAT, Target};
 use crate::job::Job;
+use crate::light_meter::LightMeter;
 use crate::progress::Progress;
 use crate::record::{self, Recorder};
 use crate::report::{self, Counts, Report, Timings};
@@ -12,6 +13,8 @@ use std::time::Instant;
 
 /// Frames of a measured run in which layers are counted.
 const COUNTED_FRAMES: u32 = 20;
+/// Longer side of the picture whose light is measured, px: the mean hardly depends on it, the time does.
+const LIT_PX: u32 = 160;
 /// Most fixed steps that the world is asked for at once, well below its cap, so that none is ever dropped.
 const STEPS_AT_ONCE: f64 = 4.0;
 
@@ -70,6 +73,9 @@ struct Run<'a> {
     world: World,
     timings: Timings,
     counts: Counts,
+    /// With a report: what measures the light, and the light of each frame.
+    meter: Option<LightMeter>,
+    luminance: Vec<f64>,
     rgb: Vec<u8>,
 }
 
@@ -85,8 +91,13 @@ impl<'a> Run<'a> {
             let bytes = std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
             world.restore(&bytes).with_context(|| format!("cannot go on from {}", path.display()))?;
         }
+        let meter = match job.report {
+            Some(_) => Some(LightMeter::new(&gpu, lit_size(job.size_px))?),
+            None => None,
+        };
         let (timings, counts) = (Timings::default(), Counts::default());
-        Ok(Self { job, gpu, target, renderer, world, timings, counts, rgb: Vec::new() })
+        let (luminance, rgb) = (Vec::new(), Vec::new());
+        Ok(Self { job, gpu, target, renderer, world, timings, counts, meter, luminance, rgb })
     }
 
     fn slices(&self, time_s: f64) -> u32 {
@@ -94,7 +105,7 @@ impl<'a> Run<'a> {
     }
 
     fn measured(&self) -> bool {
-        self.job.report.is_some()
+        self.meter.is_some()
     }
 
     /// Lets the fire grow, and draws once where the first frame's time counts.
@@ -138,6 +149,9 @@ impl<'a> Run<'a> {
             let every = self.job.frames.div_ceil(COUNTED_FRAMES);
             if frame.is_multiple_of(every) || frame + 1 == self.job.frames {
                 self.count_layers()?;
+            }
+            if let Some(meter) = &mut self.meter {
+                self.luminance.push(meter.read(&self.gpu, &self.world)?);
             }
         } else {
             self.prepare()?;
@@ -219,12 +233,19 @@ impl<'a> Run<'a> {
             open_intervals: self.counts.gpu.open_intervals,
             frames_counted: self.counts.counted,
             divergence_max: f64::from(self.counts.divergence),
+            luminance: self.luminance.clone(),
             steps: self.counts.steps,
             dropped_steps: self.counts.dropped,
             gpu_timing: "submit-and-wait per stage",
             stages_ms,
         }
     }
+}
+
+/// A size of the same shape whose longer side is at most [`LIT_PX`].
+fn lit_size(size_px: [u32; 2]) -> [u32; 2] {
+    let longer = size_px[0].max(size_px[1]).max(LIT_PX);
+    size_px.map(|side| (side * LIT_PX).div_ceil(longer))
 }
 
 /// Number of calls of the world that a time is cut into, given its fixed step.
@@ -240,6 +261,11 @@ fn milliseconds(since: Instant) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn light_is_measured_in_a_small_picture_of_the_same_shape() {
+        assert_eq!([[960, 720], [48, 32], [16, 8192]].map(lit_size), [[160, 120], [48, 32], [1, 160]]);
+    }
 
     #[test]
     fn times_are_cut_into_slices_that_drop_nothing() {

@@ -2,9 +2,9 @@
 
 use crate::cli::{RecordArgs, SceneArgs, SurfacesArg};
 use crate::record::Output;
-use anyhow::Result;
+use anyhow::{Result, bail};
 use lucerna::scene::LoadedScene;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Size of a picture where none is given.
 const SIZE_PX: [u32; 2] = [960, 720];
@@ -48,6 +48,18 @@ impl Job {
             (None, Some(_)) => None,
             (None, None) => Some(Output::Png(default_out)),
         };
+        let written = [
+            ("--out", output.as_ref().map(Output::path)),
+            ("--save", args.save.as_deref()),
+            ("--report", args.report.as_deref()),
+        ];
+        for (at, (option, path)) in written.iter().enumerate() {
+            if let (Some(path), Some((other, _))) =
+                (path, written[..at].iter().find(|(_, other)| is_same(*path, *other)))
+            {
+                bail!("{other} and {option} are both {}: one would overwrite the other", path.display());
+            }
+        }
         let animated = matches!(output, Some(Output::Gif(_)));
         let fps = args.fps.unwrap_or(if animated { 20.0 } else { 30.0 });
         let frames = args.frames.unwrap_or(if animated { (ANIMATION_S * fps).ceil() as u32 } else { 1 });
@@ -65,4 +77,13 @@ impl Job {
             report: args.report.clone(),
         })
     }
+}
+
+/// Whether both are paths of one file, which need not be there yet.
+fn is_same(a: Option<&Path>, b: Option<&Path>) -> bool {
+    let place = |path: &Path| {
+        let folder = std::path::absolute(path).ok()?.parent()?.canonicalize().ok()?;
+        Some(folder.join(path.file_name()?))
+    };
+    a.zip(b).is_some_and(|(a, b)| a == b || place(a).is_some_and(|a| place(b) == Some(a)))
 }

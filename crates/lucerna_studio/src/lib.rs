@@ -19,6 +19,7 @@ pub mod export;
 pub mod gpu;
 pub mod headless;
 pub mod job;
+pub mod light_meter;
 pub mod limits;
 pub mod program;
 pub mod progress;

@@ -155,6 +155,9 @@ pub struct Report {
     pub frames_counted: u32,
     /// Largest dimensionless divergence that any step left.
     pub divergence_max: f64,
+    /// Mean luminance of each frame's picture with its glow, before exposure and tone mapping: 1 is what appears white
+    /// at exposure 0. Drawn for itself, not timed, at most 160 pixels wide and high.
+    pub luminance: Vec<f64>,
     /// Fixed steps, warm-up included.
     pub steps: u64,
     /// Fixed steps that were dropped.

@@ -15,6 +15,15 @@ pub enum ValidationError {
         #[source]
         error: FluidError,
     },
+    /// Something else that it needs refused.
+    #[error("experiment {name}: {error}")]
+    Other {
+        /// The experiment.
+        name: &'static str,
+        /// What went wrong.
+        #[source]
+        error: Box<dyn std::error::Error + Send + Sync>,
+    },
     /// It was told to stop.
     #[error("experiment {name}: stopped")]
     Stopped {

@@ -58,7 +58,8 @@ pub struct Experiment {
     pub short: Option<&'static str>,
     /// Grid and times with [`Effort::Long`].
     pub long: &'static str,
-    pub(crate) burn: fn(&mut Run<'_>) -> Result<(), Halt>,
+    /// Burns it.
+    pub burn: fn(&mut Run<'_>) -> Result<(), Halt>,
 }
 
 impl Experiment {
@@ -85,6 +86,7 @@ impl Experiment {
         let name = self.name;
         (self.burn)(&mut run).map_err(|halt| match halt {
             Halt::Air(error) => ValidationError::Air { name, error },
+            Halt::Other(error) => ValidationError::Other { name, error },
             Halt::Stopped => ValidationError::Stopped { name },
         })?;
         let mut outcome = run.outcome;
@@ -118,9 +120,21 @@ impl Outcome {
 
 /// Why an experiment ended early.
 #[derive(Debug)]
-pub(crate) enum Halt {
+pub enum Halt {
+    /// The air refused a value.
     Air(FluidError),
+    /// Something else that the experiment needs refused.
+    Other(Box<dyn std::error::Error + Send + Sync>),
+    /// It was told to stop.
     Stopped,
+}
+
+impl Halt {
+    /// Anything that an experiment needs and that fails.
+    #[must_use]
+    pub fn other(error: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> Self {
+        Self::Other(error.into())
+    }
 }
 
 impl From<FluidError> for Halt {
@@ -147,6 +161,21 @@ impl Run<'_> {
         }
     }
 
+    /// Says that a share of the present part is done, 0 to 1.
+    ///
+    /// # Errors
+    /// Being told to stop.
+    pub fn done(&mut self, share: f64) -> Result<(), Halt> {
+        let [start, size] = self.part;
+        if (self.progress)(start + size * share).is_break() { Err(Halt::Stopped) } else { Ok(()) }
+    }
+
+    /// Counts work: a box of so many cells, and how many were stepped.
+    pub fn count(&mut self, cells: usize, cell_steps: u64) {
+        self.outcome.cells = self.outcome.cells.max(cells);
+        self.outcome.cell_steps += cell_steps;
+    }
+
     /// From now on, part `at` of `count` runs.
     pub(crate) fn part(&mut self, at: usize, count: usize) {
         self.part = [at as f64 / count as f64, 1.0 / count as f64];
@@ -161,24 +190,24 @@ impl Run<'_> {
         mut look: impl FnMut(usize, &Fluid, &StepReport),
     ) -> Result<(), Halt> {
         let cells = air.cells().into_iter().product::<usize>();
-        self.outcome.cells = self.outcome.cells.max(cells);
-        let [start, size] = self.part;
         for step in 0..count {
-            if step % 16 == 0 && (self.progress)(start + size * step as f64 / count as f64).is_break() {
-                return Err(Halt::Stopped);
+            if step % 16 == 0 {
+                self.done(step as f64 / count as f64)?;
             }
             let report = air.step(dt_s)?;
-            self.outcome.cell_steps += cells as u64 * u64::from(report.substeps.max(1));
+            self.count(cells, cells as u64 * u64::from(report.substeps.max(1)));
             look(step, air, &report);
         }
         Ok(())
     }
 
-    pub(crate) fn figure(&mut self, figure: Figure) {
+    /// Adds a figure.
+    pub fn figure(&mut self, figure: Figure) {
         self.outcome.figures.push(figure);
     }
 
-    pub(crate) fn chart(&mut self, chart: Chart) {
+    /// Adds a plot.
+    pub fn chart(&mut self, chart: Chart) {
         self.outcome.charts.push(chart);
     }
 }

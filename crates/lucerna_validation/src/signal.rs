@@ -17,7 +17,8 @@ pub struct Peak {
 
 impl Peak {
     /// Swings over the mean.
-    pub(crate) fn share(&self) -> f64 {
+    #[must_use]
+    pub fn share(&self) -> f64 {
         self.rms / self.mean.abs()
     }
 }
@@ -40,7 +41,8 @@ pub fn strongest(values: &[f64], dt_s: f64, band_hz: [f64; 2]) -> Peak {
 }
 
 /// Power at places of a band, Hz, ten across the width of a line.
-pub(crate) fn spectrum(values: &[f64], dt_s: f64, band_hz: [f64; 2]) -> Vec<(f64, f64)> {
+#[must_use]
+pub fn spectrum(values: &[f64], dt_s: f64, band_hz: [f64; 2]) -> Vec<(f64, f64)> {
     let count = values.len() as f64;
     let places: Vec<(f64, f64)> = values.iter().enumerate().map(|(at, value)| (at as f64, *value)).collect();
     let (slope, start) = line(&places);

@@ -177,6 +177,7 @@ impl App {
         match command {
             Command::Step => {
                 self.view.paused = true;
+                self.world.set_view(&self.document.active().camera)?;
                 self.meters.push_step(&self.world.step(SINGLE_STEP_S)?);
             }
             Command::Reset => self.world.reset(),
@@ -221,7 +222,10 @@ impl App {
         if self.view.paused {
             return;
         }
-        match self.world.step((seconds.min(LONGEST_FRAME_S) * f64::from(self.view.time_scale)) as f32) {
+        let dt_s = (seconds.min(LONGEST_FRAME_S) * f64::from(self.view.time_scale)) as f32;
+        // The level of detail is that of the picture.
+        let seen = self.world.set_view(&self.document.active().camera);
+        match seen.and_then(|()| self.world.step(dt_s)) {
             Ok(step) => self.meters.push_step(&step),
             Err(error) => {
                 self.view.paused = true;

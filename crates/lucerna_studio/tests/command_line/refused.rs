@@ -54,6 +54,11 @@ fn places_that_cannot_be_written_to_are_refused_before_anything_burns() {
     }
     place.refuse("render candle --out a.jpg", &["a.jpg", ".png, .gif or a folder"]);
     place.refuse("render candle --warmup 600 --report folder.json", &["cannot write", "folder.json"]);
+    for (one, other) in
+        [("--out a.png", "--report a.png"), ("--out ./a.gif", "--save a.gif"), ("--save a", "--report a")]
+    {
+        place.refuse(&format!("render candle --warmup 600 {one} {other}"), &["both", "overwrite"]);
+    }
     place.refuse("render candle --fps 60 --out a.gif", &["GIF", "50 frames per second"]);
     let left: Vec<_> =
         fs::read_dir(&place.0).expect("the folder").map(|entry| entry.expect("an entry").file_name()).collect();

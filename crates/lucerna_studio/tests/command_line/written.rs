@@ -128,10 +128,31 @@ fn a_report_says_what_was_drawn_and_how_long_it_took() {
     let fps = report["fps"].as_f64().expect("frames per second");
     assert!((fps * ms("frame", "median") / 1000.0 - 1.0).abs() < 0.01, "{report:#}");
 
+    let light = report["luminance"].as_array().expect("a number for each frame");
+    assert!(light.len() == 4 && light.iter().all(|mean| mean.as_f64().is_some_and(|mean| mean > 0.0)), "{light:?}");
+
     place.succeed(&format!("render candle {SMALL} --shading shell --preset paper --report report.json --out both.png"));
     let report = place.report();
     assert_eq!((&report["shading"], &report["preset"]), (&"shell".into(), &"paper".into()));
     assert_eq!(read_png(&place.path("both.png")).0, (48, 32));
+}
+
+#[test]
+fn the_light_in_the_report_is_that_of_the_picture() {
+    let place = Place::new("light");
+    // So dark that no pixel is cut off, and not tone mapped.
+    place.write_scene("seed: 4,", "seed: 4, look: (tone_map: none, exposure_stops: -1.0),");
+    place.succeed("render scene.ron --size 64x48 --warmup 0.3 --report report.json --out light.png");
+    let linear = |byte: u8| {
+        let x = f64::from(byte) / 255.0;
+        if x <= 0.04045 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) }
+    };
+    let (_, rgb) = read_png(&place.path("light.png"));
+    let luminance = |pixel: &[u8]| 0.2126 * linear(pixel[0]) + 0.7152 * linear(pixel[1]) + 0.0722 * linear(pixel[2]);
+    let of_picture = 2.0 * rgb.chunks_exact(3).map(luminance).sum::<f64>() / (64.0 * 48.0);
+    let measured = place.report()["luminance"][0].as_f64().expect("a number");
+    println!("{measured} in the report, {of_picture} in the picture");
+    assert!(measured > 1e-4 && (of_picture / measured - 1.0).abs() < 0.03, "{measured} {of_picture}");
 }
 
 #[test]
