@@ -5,7 +5,7 @@ use crate::error::in_range;
 use lucerna_fluid::{Combustion, Fuel as Gas};
 use serde::{Deserialize, Serialize};
 
-/// Volume of a mole of gas at 293 K and one atmosphere, m^3/kmol.
+/// Volume of a mole of gas at 293.15 K and one atmosphere, m^3/kmol.
 const MOLE_M3: f32 = 24.055;
 
 /// How a fire drives the air.
@@ -37,12 +37,14 @@ pub enum Rate {
 
 /// What burns.
 ///
-/// Net heats of combustion, oxygen by the formula, and soot yields are those of the SFPE Handbook of Fire Protection
-/// Engineering (5th edition, appendix 3 and A. Tewarson's tables). Radiated shares are those that
-/// `lucerna_fluid::Fuel` has, for methanol and ethylene Tewarson's (radiative over chemical heat of combustion).
-/// Temperatures of ignition, in air that touches the fuel: autoignition of the gases and of methanol's vapour (NFPA
-/// 325), of paraffin and its oils 518 K (the same), piloted ignition of wood about 620 K (D. Drysdale, An Introduction
-/// to Fire Dynamics, chapter 6).
+/// Heats of combustion, oxygen, soot and radiated shares are those of `lucerna_fluid::Fuel`, which tells where they come
+/// from, and for methanol and ethylene from the same tables: methanol's heat is the liquid's (its vapour, let in as such,
+/// would give 21.1 kJ/g), it leaves no soot and radiates 0.21 (R. Buch et al., Combustion and Flame 108, 1997; 0.24 in
+/// NIST Technical Note 2162r1, 2024).
+///
+/// Temperatures of ignition, in air that touches the fuel, are rounded handbook values: autoignition after NFPA 325
+/// (other tables differ by up to 60 K: 490 °C for ethylene, 600 °C for methane), for wood the piloted ignition of its
+/// surface, 300 to 365 °C by species (V. Babrauskas, *Ignition of Wood*, Interflam 2001).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum FuelKind {
@@ -58,7 +60,7 @@ pub enum FuelKind {
     Heptane,
     /// C25H52, a candle's wax and lamp oil, 43.4 kJ/g.
     Wax,
-    /// What hot wood gives off, 17.1 kJ/g (red oak).
+    /// What hot wood gives off, 17.1 kJ/g (red oak, all that burns; flames over wood release 12 to 15 kJ/g).
     Wood,
     /// One's own.
     Custom {
@@ -84,7 +86,7 @@ impl FuelKind {
         match self {
             Self::Methane => Gas::METHANE,
             Self::Propane => Gas::PROPANE,
-            Self::Methanol => Gas { heat_kj_kg: 19_900.0, oxygen_kg_kg: 1.498, soot_kg_kg: 0.001, radiated: 0.16 },
+            Self::Methanol => Gas { heat_kj_kg: 19_900.0, oxygen_kg_kg: 1.498, soot_kg_kg: 0.0, radiated: 0.21 },
             Self::Ethylene => Gas { heat_kj_kg: 47_200.0, oxygen_kg_kg: 3.422, soot_kg_kg: 0.043, radiated: 0.34 },
             Self::Heptane => Gas::HEPTANE,
             Self::Wax => Gas::WAX,
@@ -119,7 +121,7 @@ impl FuelKind {
             Self::Methane => 810.0,
             Self::Propane => 723.0,
             Self::Methanol => 737.0,
-            Self::Ethylene => 763.0,
+            Self::Ethylene => 723.0,
             Self::Heptane => 477.0,
             Self::Wax => 518.0,
             Self::Wood => 620.0,

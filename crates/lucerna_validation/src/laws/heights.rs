@@ -16,10 +16,11 @@ pub(crate) const POOLS: Experiment = Experiment {
     source: "K. Sung, R. Falkenstein-Smith, A. Hamins, The Global and Local Structure of Medium-Scale Pool Fires, NIST \
              Technical Note 2162r1, 2024, table 1.1: heights from video, within 2 % those that flames reach half of the \
              time",
-    origin: Origin::Emergent,
+    origin: Origin::Calibrated,
     measures: "Height below which 99 % of the heat is released on average; beside it the height with burning gas half of \
                the time, and where the axis is 500 K above ambient. Puffing: speed on the axis half a diameter up. \
-               Radiated shares are the measured ones.",
+               Radiated shares are the measured ones. Small eddies mix at the rate of FDS, which was set to Heskestad's \
+               heights there; puffing has no such constant.",
     short: Some("6 cells across, 2 to 5 s, methanol only"),
     long: "8 cells across, box of 3 x 5 x 3 diameters, 2.5 to 10 s",
     burn: pools,
@@ -31,8 +32,9 @@ pub(crate) const HEIGHT_BY_HEAT: Experiment = Experiment {
     law: "L + 1.02 D goes as Q^0.4",
     source: "G. Heskestad, Luminous Heights of Turbulent Diffusion Flames, Fire Safety Journal 5, 1983: \
              L = 0.235 Q^0.4 - 1.02 D",
-    origin: Origin::Emergent,
-    measures: "Height below which 99 % of the heat is released on average.",
+    origin: Origin::Calibrated,
+    measures: "Height below which 99 % of the heat is released on average. Small eddies mix at the rate of FDS, which was \
+               set to these heights there.",
     short: None,
     long: "6 cells across, box of 3.5 x 6 x 3.5 diameters, 2 to 6 s each",
     burn: by_heat,

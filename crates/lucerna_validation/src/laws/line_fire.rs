@@ -13,8 +13,9 @@ pub(crate) const LINE_FIRE: Experiment = Experiment {
     law: "L = 0.0105 Q'^0.774 / W^0.161 m, Q' in kW/m, W the width of the slit in m",
     source: "M. Finney, T. Grumstrup, Effect of Flame Zone Depth on the Correlation of Flame Length with Fireline \
              Intensity, Int. J. Wildland Fire 32, 2023: gas from slits",
-    origin: Origin::Emergent,
+    origin: Origin::Calibrated,
     measures: "Height below which 99 % of the heat is released on average; the box repeats along the slit. \
+               Small eddies mix at the rate of FDS, which was set to Heskestad's heights of round fires there. \
                Drawn beside it: L = 0.034 Q'^(2/3), narrow slits of gas (L. Yuan, G. Cox, An Experimental Study of Some Line \
                Fires, Fire Safety Journal 27, 1996).",
     short: None,
