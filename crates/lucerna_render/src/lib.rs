@@ -1,4 +1,4 @@
-//! A wgpu renderer for fire: exact depth peeling, shading along the ray, and glow at two resolutions.
+//! A wgpu renderer for fire: exact depth peeling, shading along the ray, and glow at several resolutions.
 //!
 //! It takes the caller's device, queue and encoder; it never creates a device, reads no file and knows no solver.
 //! A frame goes through five [`Stage`]s; each is one file here and one or two in `lucerna_shaders`.

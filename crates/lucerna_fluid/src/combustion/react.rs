@@ -21,9 +21,9 @@ pub(crate) struct Reaction {
 const SMAGORINSKY: f32 = 0.17;
 /// Deardorff's: viscosity over width and speed of small eddies.
 const DEARDORFF: f32 = 0.1;
-/// Shortest time in which mixed gas burns, s (FDS Technical Reference Guide).
+/// Shortest time in which mixed gas burns, s; a round number far below the times of mixing (FDS takes 1e-5 or less).
 const CHEMICAL_S: f32 = 1.0e-4;
-/// Diffusivity of gas in ambient air, m²/s.
+/// Diffusivity of gas in ambient air, m²/s: about methane's (GRI-Mech 3.0: 2.15e-5; methanol 1.5e-5, propane 1.1e-5).
 const GAS_M2_S: f32 = 2.0e-5;
 /// Turbulent Schmidt number (FDS Technical Reference Guide).
 const SCHMIDT: f32 = 0.5;
