@@ -36,8 +36,8 @@ impl LightGroup {
         Self { center, length_m, parts: Default::default() }
     }
 
-    /// True if a wick with this middle and length overlaps the group's first, or lies about a length from it: such
-    /// flames merge (Delichatsios: above three times their spacing).
+    /// True if a wick with this middle and length overlaps the group's first, or lies about a length from it: flames
+    /// merge where they are a few times as high as they are apart.
     pub(crate) fn takes(&self, center: Vec3, length_m: f32) -> bool {
         center.distance(self.center) < self.length_m + length_m
     }
