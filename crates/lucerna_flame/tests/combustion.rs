@@ -222,3 +222,42 @@ fn air_that_burns_nothing_takes_no_fuel() {
     let error = flames.drive(&mut fluid).expect_err("it has no fuel").to_string();
     assert!(error.contains("fuel"), "{error}");
 }
+
+/// Height of the drawn flame over a pan, mean over five seconds, m.
+fn pan(fuel: FuelKind, kilowatts: f32, diameter_m: f32) -> f32 {
+    const STEP_S: f32 = 1.0 / 60.0;
+    let cell_m = 0.123 * diameter_m;
+    let size = Vec3::new(24.0, 40.0, 24.0) * cell_m;
+    let drive = Drive::Combustion { fuel, rate: Rate::Kw(kilowatts) };
+    let wick = WickShape::Polyline { points: vec![[0.0005, 0.01, -0.0003]], radius_m: 0.5 * diameter_m };
+    let mut settings = FlameSettings { drive, ..FlameSettings::new(wick) };
+    settings.skeletons.width_m = 0.46 * diameter_m;
+    let mut flames = Flames::new(vec![settings], 6).expect("a pan");
+    let mut fluid = Fluid::builder([24, 40, 24])
+        .origin(Vec3::new(-0.5 * size.x, 0.0, -0.5 * size.z))
+        .size_m(size)
+        .sides(Sides { y: [Side::FreeSlip, Side::Open], ..Sides::OPEN })
+        .density(Density::LowMach)
+        .advection(Advection::Conservative)
+        .deardorff(0.1)
+        .combustion(combustion(&[drive]).expect("one fuel").expect("it burns"))
+        .build()
+        .expect("air that burns");
+    burn(&mut fluid, &mut flames, STEP_S, 120);
+    let heights = (0..300).map(|_| {
+        burn(&mut fluid, &mut flames, STEP_S, 1);
+        tip(&flames).y - 0.01
+    });
+    heights.sum::<f32>() / 300.0
+}
+
+#[test]
+#[ignore = "takes a minute"]
+fn fires_over_pans_are_drawn_about_as_high_as_they_are() {
+    // K. Sung, R. Falkenstein-Smith, A. Hamins, NIST Technical Note 2162r1, 2024, table 1.1.
+    let methanol = pan(FuelKind::Methanol, 19.2, 0.301);
+    let propane = pan(FuelKind::Propane, 34.4, 0.37);
+    println!("methanol: {methanol:.2} m of 0.41; propane: {propane:.2} m of 0.75");
+    assert!((methanol / 0.41 - 1.0).abs() < 0.25);
+    assert!(propane > methanol && propane < 1.25 * 0.75);
+}
