@@ -1,7 +1,7 @@
 //! Named changes to a scene: what paper 003's authors run, a cheap scene, a fine one.
 
-use crate::{AirSides, Pressure, Scene, SceneError};
-use lucerna_flame::{FuelDistribution, FuelForm, SurfaceGrid};
+use crate::{AirSides, Fire, Pressure, Scene, SceneError};
+use lucerna_flame::{Drive, FuelDistribution, FuelForm, SurfaceGrid};
 use lucerna_frame::{Blur, GlowLevel, Look, Shading, Transparency};
 
 const NAMES: &[&str] = &["paper", "draft", "fine"];
@@ -25,7 +25,8 @@ const HEAT_K_S: f32 = 8000.0;
 /// * `draft`: cheap, for machines without a fast GPU: at most 20 cells along an axis, small surfaces, 4 layers,
 ///   at most 4 steps inside each interval, one sample a pixel.
 /// * `fine`: for pictures: twice the cells along each axis, up to 96 (a length keeps its physical size), finer
-///   surfaces, 16 layers, 16 steps inside each interval.
+///   surfaces, 16 layers, 16 steps inside each interval. Cells stay as they are where root forces reach less far than
+///   the width of one, as a candle's do: how strong they are was set for these cells.
 #[must_use]
 pub fn presets() -> &'static [&'static str] {
     NAMES
@@ -128,11 +129,23 @@ fn draft(scene: &mut Scene) {
 }
 
 fn fine(scene: &mut Scene) {
-    for grid in grids(scene) {
-        let most = grid.iter().copied().max().unwrap_or(FINE_CELLS);
+    let refine = |cells: &mut [u32; 3]| {
+        let most = cells.iter().copied().max().unwrap_or(FINE_CELLS);
         let target = (2 * most).min(FINE_CELLS);
         if most < target {
-            *grid = grid.map(|cells| cells * target / most);
+            *cells = cells.map(|cells| cells * target / most);
+        }
+    };
+    let air = &mut scene.air;
+    if !scene.fires.iter().any(|fire| fire.air.is_none() && is_set_for_cells(fire, air.size_m, air.cells)) {
+        refine(&mut air.cells);
+    }
+    for fire in &mut scene.fires {
+        if fire.air.as_ref().is_none_or(|own| is_set_for_cells(fire, own.size_m, own.cells)) {
+            continue;
+        }
+        if let Some(own) = &mut fire.air {
+            refine(&mut own.cells);
         }
     }
     for fire in &mut scene.fires {
@@ -143,6 +156,14 @@ fn fine(scene: &mut Scene) {
     scene.look.volume_steps = scene.look.volume_steps.max(16);
     scene.look.samples = 4;
     keep_debug_view(&mut scene.look);
+}
+
+/// Whether root forces reach less far than the width of a cell. In finer air the same heat would be in a thinner column:
+/// its air would rise faster and pinch the flame.
+fn is_set_for_cells(fire: &Fire, size_m: [f32; 3], cells: [u32; 3]) -> bool {
+    let cell_m = size_m.iter().zip(cells).map(|(size, cells)| size / cells as f32).fold(f32::INFINITY, f32::min);
+    // Twice the width of a flame is how far its roots push and heat.
+    fire.drive == Drive::RootForces && 2.0 * fire.skeletons.width_m < cell_m
 }
 
 /// The cells of every air.

@@ -89,6 +89,23 @@ fn the_paper_preset_is_what_the_authors_run() {
 }
 
 #[test]
+fn fine_air_is_not_forced_on_fires_that_were_set_for_coarse_air() {
+    let cells = |name: &str| {
+        let mut scene = builtin(name).unwrap().scene;
+        let before = (scene.air.cells, scene.fires[0].air);
+        apply_preset(&mut scene, "fine").unwrap();
+        assert_eq!(scene.fires[0].surface.around, 64, "{name}");
+        (before.0, scene.air.cells, before.1, scene.fires[0].air)
+    };
+    assert_eq!(cells("candle").0, cells("candle").1);
+    let torch = cells("torch");
+    assert_eq!(torch.0.map(|n| 2 * n), torch.1);
+    // Candles in an air of their own each; the air of the scene has no fire.
+    let hall = cells("hall");
+    assert_eq!((hall.0.map(|n| 2 * n), hall.2), (hall.1, hall.3));
+}
+
+#[test]
 fn the_example_of_the_format_page_loads() {
     let page = include_str!("../../../docs/scene_format.md");
     let mut examples = page.split("```ron\n").skip(1);
