@@ -1,7 +1,7 @@
 //! Named changes to a scene: what paper 003's authors run, a cheap scene, a fine one.
 
-use crate::{AirSides, Fire, Pressure, Scene, SceneError};
-use lucerna_flame::{Drive, FuelDistribution, FuelForm, SurfaceGrid};
+use crate::{AirAdvection, AirSides, Fire, Pressure, Scene, SceneError};
+use lucerna_flame::{Drive, FuelDistribution, FuelForm, Supply, SurfaceGrid};
 use lucerna_frame::{Blur, GlowLevel, Look, Shading, Transparency};
 
 const NAMES: &[&str] = &["paper", "draft", "fine"];
@@ -18,8 +18,8 @@ const HEAT_K_S: f32 = 8000.0;
 /// The names of the presets.
 ///
 /// * `paper`: what the authors of paper 003 run. 15 x 15 x 15 cells in a closed cube around the scene's air, direct
-///   pressure, no heat but their buoyancy by rows and a strength raised to make up for it, 2 slices of a wick, 8
-///   particles a skeleton, no taper, turbulence or expansion (wider roots instead), their forms of the fuel
+///   pressure, root forces, no heat but their buoyancy by rows and a strength raised to make up for it, 2 slices of a
+///   wick, 8 particles a skeleton, no taper, turbulence or expansion (wider roots instead), their forms of the fuel
 ///   functions, a texture on the surfaces (`shell`, not softened), 4 layers (2 where there is a single flame), two
 ///   glow levels of their seven taps with equal gains, one sample a pixel. Tips break away no more often than theirs.
 /// * `draft`: cheap, for machines without a fast GPU: at most 20 cells along an axis, small surfaces, 4 layers,
@@ -67,6 +67,7 @@ fn paper(scene: &mut Scene) {
     }
     air.pressure = Pressure::Direct;
     air.sides = AirSides::Closed;
+    air.advection = AirAdvection::SemiLagrangian;
     air.cooling_per_s = 0.0;
     air.wind_m_s = [0.0; 3];
     let strongest = scene.fires.iter().map(|fire| fire.fuel.strength_m_s2).fold(0.0, f32::max);
@@ -75,6 +76,10 @@ fn paper(scene: &mut Scene) {
         air.row_buoyancy_m_s2 = 0.045 * strongest;
     }
     for fire in &mut scene.fires {
+        fire.drive = Drive::RootForces;
+        if matches!(fire.life.supply, Supply::Grams(_) | Supply::Kilojoules(_)) {
+            fire.life.supply = Supply::Endless;
+        }
         fire.fuel.form = FuelForm::Published;
         if matches!(fire.fuel.distribution, FuelDistribution::Uniform | FuelDistribution::Table(_)) {
             fire.fuel.distribution = FuelDistribution::Gaussian;

@@ -209,6 +209,7 @@ impl Flame {
             if self.row.len() == old.row.len() {
                 self.free.iter_mut().zip(&old.free).for_each(|(free, old)| free.inherit(old));
             }
+            self.trace_spines();
         }
     }
 

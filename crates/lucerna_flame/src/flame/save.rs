@@ -76,6 +76,8 @@ impl Flame {
         self.chains = saved.chains.clone();
         self.free.iter_mut().zip(&saved.free).for_each(|(free, saved)| free.inherit(saved));
         self.follower = saved.follower.clone();
+        // Fires that burn in the air trace them once a step.
+        self.trace_spines();
         self.build_nets();
         true
     }
