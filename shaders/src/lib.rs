@@ -4,7 +4,14 @@
 //! front at compile time. Nothing beyond WebGPU's core features and default limits is used.
 
 /// The opaque scene, lit by the flames: `vs_opaque`, `fs_opaque`, `vs_depth`.
-pub const OPAQUE: &str = concat!(include_str!("../wgsl/common.wgsl"), include_str!("../wgsl/opaque.wgsl"));
+pub const OPAQUE: &str = concat!(
+    include_str!("../wgsl/common.wgsl"),
+    include_str!("../wgsl/opaque.wgsl"),
+    include_str!("../wgsl/shadows.wgsl")
+);
+
+/// What a light sees of the scene: `vs_shadow`.
+pub const SHADOW_MAP: &str = include_str!("../wgsl/shadow_map.wgsl");
 
 /// Depth peeling: `vs_flame`, `fs_first`, `fs_next`, `fs_count`.
 pub const PEEL: &str = concat!(
@@ -55,8 +62,9 @@ pub const LINES: &str = concat!(include_str!("../wgsl/common.wgsl"), include_str
 pub const EVALUATE: &str = include_str!("../wgsl/evaluate.wgsl");
 
 /// All modules by name.
-pub const ALL: [(&str, &str); 9] = [
+pub const ALL: [(&str, &str); 10] = [
     ("opaque", OPAQUE),
+    ("shadow map", SHADOW_MAP),
     ("peel", PEEL),
     ("shell", SHELL),
     ("unsorted", UNSORTED),

@@ -1,4 +1,4 @@
-// What every pass knows: the camera, the look, the flames and their lights.
+// What every pass knows: the camera, the look and the flames.
 
 struct View {
     clip_from_world: mat4x4f,
@@ -15,8 +15,8 @@ struct View {
     ambient_gain: vec4f,
     // rgb, linear; w: factor of the exposure.
     background_exposure: vec4f,
-    // width, height, layers, lights
-    size_layers_lights: vec4u,
+    // width, height, layers; w: unused
+    size_layers: vec4u,
     // shading (0 shell, 1 volume), integration steps, what the target stores (see below), tone map (0 none, 1 filmic)
     modes: vec4u,
     // x: softness of shells; y: gain of the flames over the scene (shells are painted for the display); zw: unused
@@ -45,14 +45,8 @@ struct Flame {
     blue: vec4f,
 }
 
-struct Light {
-    position_radius: vec4f,
-    intensity: vec4f,
-}
-
 @group(0) @binding(0) var<uniform> view: View;
 @group(0) @binding(1) var<storage, read> flames: array<Flame>;
-@group(0) @binding(2) var<storage, read> lights: array<Light>;
 
 // What a target stores: linear light that it encodes as sRGB itself, sRGB that we encode, or plain linear numbers.
 const ENCODES: u32 = 0u;
@@ -74,7 +68,7 @@ fn adapted(color: vec3f) -> vec3f {
 
 // The world point of a pixel centre at a depth.
 fn world_at(pixel: vec2f, depth: f32) -> vec3f {
-    let size = vec2f(view.size_layers_lights.xy);
+    let size = vec2f(view.size_layers.xy);
     let ndc = vec2f(pixel.x / size.x * 2.0 - 1.0, 1.0 - pixel.y / size.y * 2.0);
     let p = view.world_from_clip * vec4f(ndc, depth, 1.0);
     return p.xyz / p.w;

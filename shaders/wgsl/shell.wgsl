@@ -5,7 +5,7 @@
 @fragment
 fn fs_shell(@builtin(position) position: vec4f) -> @location(0) vec4f {
     var sum = vec3f(0.0);
-    for (var i = 0u; i < view.size_layers_lights.z; i++) {
+    for (var i = 0u; i < view.size_layers.z; i++) {
         let packed = textureLoad(layer_surfaces, vec2i(position.xy), i32(i), 0).xy;
         if packed.x == 0u {
             break;

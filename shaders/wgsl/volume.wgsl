@@ -133,7 +133,7 @@ fn fs_volume(@builtin(position) position: vec4f) -> @location(0) vec4f {
     var blue = vec3f(0.0);
     var depth = 0.0;
     var layers_left = false;
-    for (var i = 0u; i < view.size_layers_lights.z; i++) {
+    for (var i = 0u; i < view.size_layers.z; i++) {
         let packed = textureLoad(layer_surfaces, pixel, i32(i), 0).xy;
         if packed.x == 0u {
             layers_left = true;

@@ -100,6 +100,16 @@ pub struct Look {
     pub white_k: f32,
     /// Artistic gain of the light that flames throw on the scene; 1 is physical.
     pub light_gain: f32,
+    /// How many lights cast shadows, 0 to 32: the strongest as seen. Each takes a map of six faces.
+    pub shadows: u32,
+    /// Texels across a face of a shadow map, 16 to 1024; times `shadows` at most 8192.
+    pub shadow_size: u32,
+    /// Taps of the filters of shadows, 1 to 64, which the lights of a pixel share by how much they light it: more make soft
+    /// edges smoother.
+    pub shadow_samples: u32,
+    /// How large a group of lights may be, seen from what it lights, to count as one light: an angle in radians, 0 to 1.
+    /// 0 adds up every light by itself; up to 16 lights are never merged.
+    pub light_merging: f32,
     /// Light that falls on the scene from everywhere, linear.
     pub ambient: [f32; 3],
     /// Colour behind everything, linear.
@@ -130,6 +140,10 @@ impl Default for Look {
             exposure_stops: 4.0,
             white_k: 3200.0,
             light_gain: 1.0,
+            shadows: 8,
+            shadow_size: 512,
+            shadow_samples: 16,
+            light_merging: 0.07,
             ambient: [0.0; 3],
             background: [0.0; 3],
             tone_map: ToneMap::Filmic,

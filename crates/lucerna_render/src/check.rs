@@ -2,6 +2,7 @@
 
 use crate::data::{FlameData, LightData, MAX_GLOW, MAX_LAYERS};
 use crate::error::RenderError;
+use crate::shadows::MAX_SHADOWS;
 use lucerna_frame::{Blur, Camera, Frame, Look, OpaqueMesh};
 
 /// Just below what half floats hold, as in `common.wgsl`.
@@ -31,7 +32,7 @@ pub(crate) fn check_camera(camera: &Camera) -> Result<(), RenderError> {
     Ok(())
 }
 
-pub(crate) fn check_look(look: &Look) -> Result<(), RenderError> {
+pub(crate) fn check_look(look: &Look, largest_texture: u32) -> Result<(), RenderError> {
     let error = |field, value: &dyn std::fmt::Display, allowed| {
         Err(RenderError::Look { field, value: value.to_string(), allowed })
     };
@@ -69,6 +70,22 @@ pub(crate) fn check_look(look: &Look) -> Result<(), RenderError> {
     }
     if !brightness(look.light_gain) {
         return error("light_gain", &look.light_gain, "0 to 60000");
+    }
+    if look.shadows > MAX_SHADOWS {
+        return error("shadows", &look.shadows, "0 to 32");
+    }
+    if !(16..=1024).contains(&look.shadow_size) {
+        return error("shadow_size", &look.shadow_size, "16 to 1024");
+    }
+    if look.shadow_size * look.shadows.max(6) > largest_texture {
+        let allowed = "so small that shadows x shadow_size and 6 x shadow_size fit into a texture of the device";
+        return error("shadow_size", &look.shadow_size, allowed);
+    }
+    if !(1..=64).contains(&look.shadow_samples) {
+        return error("shadow_samples", &look.shadow_samples, "1 to 64");
+    }
+    if !(0.0..=1.0).contains(&look.light_merging) {
+        return error("light_merging", &look.light_merging, "0 to 1");
     }
     if let Some(value) = look.ambient.iter().chain(&look.background).find(|value| !brightness(**value)) {
         return error("ambient or look.background", value, "0 to 60000");
@@ -129,7 +146,8 @@ pub(crate) fn check_frame(frame: &Frame<'_>, meshes_are_new: bool, limits: &wgpu
     fits("flame_vertices", size_of_val(frame.flame_vertices), buffer)?;
     fits("flame_indices", size_of_val(frame.flame_indices), buffer)?;
     fits("lines", size_of_val(frame.lines), buffer)?;
-    fits("lights", frame.lights.len() * size_of::<LightData>(), storage)?;
+    // With the tree over them.
+    fits("lights", 2 * frame.lights.len() * size_of::<LightData>(), storage)?;
     fits("flame_shades", shades * size_of::<FlameData>(), storage)?;
     if !meshes_are_new {
         return Ok(());

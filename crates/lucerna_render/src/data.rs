@@ -1,5 +1,8 @@
 //! What goes to the GPU, laid out as the shaders read it.
 
+use crate::light_cells::LightCells;
+use crate::light_tree::Node;
+use crate::shadows::Shadows;
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec3};
 use lucerna_frame::{Camera, FlameShade, Frame, Light, Look, Shading, ToneMap, adaptation, blackbody_rgb};
@@ -44,7 +47,7 @@ pub(crate) struct View {
     forward_near: [f32; 4],
     ambient_gain: [f32; 4],
     background_exposure: [f32; 4],
-    size_layers_lights: [u32; 4],
+    size_layers: [u32; 4],
     modes: [u32; 4],
     extra: [f32; 4],
 }
@@ -68,7 +71,7 @@ impl View {
             forward_near: forward.extend(camera.near_m).to_array(),
             ambient_gain: Vec3::from(look.ambient).extend(look.light_gain).to_array(),
             background_exposure: Vec3::from(look.background).extend(exposure).to_array(),
-            size_layers_lights: [size[0], size[1], look.layers, frame.lights.len() as u32],
+            size_layers: [size[0], size[1], look.layers, 0],
             modes: [u32::from(volume), look.volume_steps, storage as u32, u32::from(look.tone_map == ToneMap::Filmic)],
             extra: [
                 look.shell_softness,
@@ -125,21 +128,75 @@ impl FlameData {
     }
 }
 
-/// `Light` in `common.wgsl`.
+/// `Light` in `opaque.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub(crate) struct LightData {
-    position_radius: [f32; 4],
+    position_radius2: [f32; 4],
     intensity: [f32; 4],
 }
 
 impl LightData {
-    pub(crate) fn new(light: &Light, look: &Look) -> Self {
-        let seen = (adaptation(look.white_k) * Vec3::from(light.intensity)).max(Vec3::ZERO);
+    pub(crate) fn new(light: &Node) -> Self {
         Self {
-            position_radius: Vec3::from(light.position).extend(light.radius_m).to_array(),
-            intensity: seen.extend(0.0).to_array(),
+            position_radius2: light.position.extend(light.radius2).to_array(),
+            intensity: light.intensity.extend(0.0).to_array(),
         }
+    }
+}
+
+/// `Lighting` in `opaque.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub(crate) struct LightingData {
+    origin_scale: [f32; 4],
+    counts: [u32; 4],
+    shadow: [f32; 4],
+    taps: [u32; 4],
+}
+
+impl LightingData {
+    pub(crate) fn new(cells: &LightCells, shadows: &Shadows, look: &Look) -> Self {
+        Self {
+            origin_scale: cells.origin.extend(1.0 / cells.edge_m).to_array(),
+            counts: cells.used.extend(shadows.count()).to_array(),
+            shadow: shadows.shape(),
+            taps: [look.shadow_samples, 0, 0, 0],
+        }
+    }
+}
+
+/// `Caster` in `shadows.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub(crate) struct CasterData {
+    position_radius2: [f32; 4],
+    intensity_share: [f32; 4],
+    near: [f32; 4],
+}
+
+impl CasterData {
+    /// A light with its intensity as the camera sees it, how much of its shadow is shown, and where its faces begin.
+    pub(crate) fn new(light: &Light, seen: Vec3, share: f32, near_m: f32) -> Self {
+        Self {
+            position_radius2: Vec3::from(light.position).extend(light.radius_m * light.radius_m).to_array(),
+            intensity_share: seen.extend(share).to_array(),
+            near: [near_m, 0.0, 0.0, 0.0],
+        }
+    }
+}
+
+/// `Face` in `shadow_map.wgsl`, as far apart as dynamic offsets must be.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub(crate) struct FaceData {
+    clip_from_world: [[f32; 4]; 4],
+    gap: [[f32; 4]; 12],
+}
+
+impl FaceData {
+    pub(crate) fn new(clip_from_world: Mat4) -> Self {
+        Self { clip_from_world: clip_from_world.to_cols_array_2d(), gap: [[0.0; 4]; 12] }
     }
 }
 

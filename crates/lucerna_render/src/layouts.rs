@@ -1,6 +1,6 @@
 //! The layouts of all bind groups: what each pass may read.
 
-use crate::data::View;
+use crate::data::{LightingData, View};
 use std::num::NonZeroU64;
 use wgpu::{
     BindGroupLayout, BindingType, Device, SamplerBindingType, ShaderStages, TextureSampleType, TextureViewDimension,
@@ -10,6 +10,8 @@ use wgpu::{
 #[derive(Debug)]
 pub(crate) struct Layouts {
     pub(crate) common: BindGroupLayout,
+    pub(crate) lighting: BindGroupLayout,
+    pub(crate) face: BindGroupLayout,
     pub(crate) peel: BindGroupLayout,
     pub(crate) shell: BindGroupLayout,
     pub(crate) texture: BindGroupLayout,
@@ -51,7 +53,31 @@ impl Layouts {
         let sampler = BindingType::Sampler(SamplerBindingType::Filtering);
         let (plain, smooth) = (texture(false, TextureViewDimension::D2), texture(true, TextureViewDimension::D2));
         Self {
-            common: make("common", &[uniform(size_of::<View>()), storage(true), storage(true)]),
+            common: make("common", &[uniform(size_of::<View>()), storage(true)]),
+            lighting: make(
+                "lighting",
+                &[
+                    uniform(size_of::<LightingData>()),
+                    storage(true),
+                    storage(true),
+                    storage(true),
+                    plain,
+                    BindingType::Texture {
+                        sample_type: TextureSampleType::Depth,
+                        view_dimension: TextureViewDimension::D2,
+                        multisampled: false,
+                    },
+                    BindingType::Sampler(SamplerBindingType::Comparison),
+                ],
+            ),
+            face: make(
+                "face",
+                &[BindingType::Buffer {
+                    ty: wgpu::BufferBindingType::Uniform,
+                    has_dynamic_offset: true,
+                    min_binding_size: NonZeroU64::new(size_of::<[[f32; 4]; 4]>() as u64),
+                }],
+            ),
             peel: make("peel", &[plain, plain]),
             shell: make("shell", &[surfaces]),
             texture: make("flame texture", &[smooth, sampler]),

@@ -1,7 +1,7 @@
 //! A wgpu renderer for fire: exact depth peeling, shading along the ray, and glow at several resolutions.
 //!
 //! It takes the caller's device, queue and encoder; it never creates a device, reads no file and knows no solver.
-//! A frame goes through five [`Stage`]s; each is one file here and one or two in `lucerna_shaders`.
+//! A frame goes through six [`Stage`]s; each is one file here and one or two in `lucerna_shaders`.
 //!
 //! ```no_run
 //! # fn draw(device: &wgpu::Device, queue: &wgpu::Queue, target: &wgpu::TextureView,
@@ -27,10 +27,14 @@ mod error;
 mod flames;
 mod glow;
 mod layouts;
+mod light_cells;
+mod light_tree;
+mod lighting;
 mod nets;
 mod opaque;
 mod pipelines;
 mod renderer;
+mod shadows;
 mod statistics;
 mod surfaces;
 mod targets;

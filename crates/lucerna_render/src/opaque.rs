@@ -24,7 +24,10 @@ impl FireRenderer {
             depth_stencil_attachment: Some(cleared(depth)),
             ..Default::default()
         });
-        self.draw_meshes(&mut pass, &self.pipelines.opaque[usize::from(resolve.is_some())]);
+        self.draw_meshes(
+            &mut pass,
+            &self.pipelines.opaque[usize::from(resolve.is_some())][usize::from(self.lighting.shadows.count() > 0)],
+        );
         drop(pass);
         if targets.multisampled.is_some() {
             // Several depths a pixel cannot be compared with one: the flames get a depth of their own.
@@ -43,6 +46,7 @@ impl FireRenderer {
         }
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &self.common_group, &[]);
+        pass.set_bind_group(1, &self.lighting.group, &[]);
         pass.set_vertex_buffer(0, self.mesh_vertices.buffer.slice(..));
         pass.set_index_buffer(self.mesh_indices.buffer.slice(..), wgpu::IndexFormat::Uint32);
         pass.draw_indexed(0..self.mesh_index_count, 0, 0..1);

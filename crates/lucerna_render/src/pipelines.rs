@@ -29,8 +29,10 @@ pub(crate) struct ComposePipelines {
 #[derive(Debug)]
 pub(crate) struct Pipelines {
     pub(crate) layouts: Layouts,
-    /// The opaque scene with one and with four samples.
-    pub(crate) opaque: [RenderPipeline; 2],
+    /// The opaque scene with one and with four samples, without and with shadows.
+    pub(crate) opaque: [[RenderPipeline; 2]; 2],
+    /// What a light sees.
+    pub(crate) shadow: RenderPipeline,
     pub(crate) depth: RenderPipeline,
     pub(crate) peel_first: RenderPipeline,
     pub(crate) peel_next: RenderPipeline,
@@ -62,7 +64,8 @@ struct Recipe<'a> {
     groups: &'a [Option<&'a BindGroupLayout>],
     vertex: (&'a str, Option<VertexBufferLayout<'a>>),
     fragment: Option<(&'a str, ColorTargetState)>,
-    depth: bool,
+    /// What passes the test of the depth, which is then written.
+    depth: Option<CompareFunction>,
     topology: PrimitiveTopology,
     samples: u32,
     compilation: wgpu::PipelineCompilationOptions<'a>,
@@ -87,10 +90,10 @@ impl Recipe<'_> {
                 buffers: &buffers,
             },
             primitive: wgpu::PrimitiveState { topology: self.topology, ..Default::default() },
-            depth_stencil: self.depth.then(|| DepthStencilState {
+            depth_stencil: self.depth.map(|compare| DepthStencilState {
                 format: DEPTH,
                 depth_write_enabled: Some(true),
-                depth_compare: Some(CompareFunction::Less),
+                depth_compare: Some(compare),
                 stencil: wgpu::StencilState::default(),
                 bias: wgpu::DepthBiasState::default(),
             }),
@@ -120,6 +123,7 @@ fn triangles<'a>(
 ) -> RenderPipeline {
     let topology = PrimitiveTopology::TriangleList;
     let compilation = wgpu::PipelineCompilationOptions::default();
+    let depth = depth.then_some(CompareFunction::Less);
     Recipe { label, source, groups, vertex, fragment, depth, topology, samples, compilation }.make(device)
 }
 
@@ -147,7 +151,7 @@ fn full_with(
 ) -> RenderPipeline {
     let (vertex, fragment) = (("vs_fullscreen", None), Some((entry, target)));
     let topology = PrimitiveTopology::TriangleList;
-    Recipe { label, source, groups, vertex, fragment, depth: false, topology, samples: 1, compilation }.make(device)
+    Recipe { label, source, groups, vertex, fragment, depth: None, topology, samples: 1, compilation }.make(device)
 }
 
 const ADD: wgpu::BlendComponent = wgpu::BlendComponent {
@@ -186,9 +190,34 @@ impl Pipelines {
 
         let source = module("opaque", wgsl::OPAQUE);
         let opaque = [1, 4].map(|samples| {
-            let (vertex, fragment) = (("vs_opaque", Some(meshes())), Some(("fs_opaque", HDR.into())));
-            triangles(device, "opaque", &source, &[common], vertex, fragment, true, samples)
+            [0.0, 1.0].map(|shadows| {
+                let constants = [("SHADOWS", shadows)];
+                Recipe {
+                    label: "opaque",
+                    source: &source,
+                    groups: &[common, Some(&layouts.lighting)],
+                    vertex: ("vs_opaque", Some(meshes())),
+                    fragment: Some(("fs_opaque", HDR.into())),
+                    depth: Some(CompareFunction::Less),
+                    topology: PrimitiveTopology::TriangleList,
+                    samples,
+                    compilation: wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() },
+                }
+                .make(device)
+            })
         });
+        let shadow = Recipe {
+            label: "shadow map",
+            source: &module("shadow map", wgsl::SHADOW_MAP),
+            groups: &[Some(&layouts.face)],
+            vertex: ("vs_shadow", Some(meshes())),
+            fragment: None,
+            depth: Some(CompareFunction::Greater),
+            topology: PrimitiveTopology::TriangleList,
+            samples: 1,
+            compilation: wgpu::PipelineCompilationOptions::default(),
+        }
+        .make(device);
         let depth = triangles(device, "depth", &source, &[common], ("vs_depth", Some(meshes())), None, true, 1);
 
         let source = module("peel", wgsl::PEEL);
@@ -237,7 +266,7 @@ impl Pipelines {
             groups: &[common],
             vertex: ("vs_line", Some(vertices(size_of::<lucerna_frame::LineVertex>(), &LINE_ATTRIBUTES))),
             fragment: Some(("fs_line", target.into())),
-            depth: false,
+            depth: None,
             topology: PrimitiveTopology::LineList,
             samples: 1,
             compilation: wgpu::PipelineCompilationOptions::default(),
@@ -260,6 +289,7 @@ impl Pipelines {
         Self {
             layouts,
             opaque,
+            shadow,
             depth,
             peel_first,
             peel_next,

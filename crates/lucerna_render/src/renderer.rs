@@ -3,9 +3,10 @@
 use crate::bounds::{bounds, encloses};
 use crate::check::{check_camera, check_depth, check_frame, check_look, check_size};
 use crate::compose::compose_data;
-use crate::data::{FlameData, LightData, MAX_GLOW, Storage, View};
+use crate::data::{FlameData, MAX_GLOW, Storage, View, clip_from_world};
 use crate::error::RenderError;
 use crate::glow::weights;
+use crate::lighting::Lighting;
 use crate::pipelines::Pipelines;
 use crate::surfaces::Evaluator;
 use crate::targets::{Shape, Shared, Targets, group};
@@ -20,6 +21,8 @@ use wgpu::{BindingResource, BufferUsages, Device, Queue, TextureView};
 pub enum Stage {
     /// The flames' vertices, where the frame has control nets.
     Surfaces,
+    /// What the lights with a shadow see.
+    Shadows,
     /// The opaque scene, lit by the flames.
     Opaque,
     /// The flames: peeling and shading.
@@ -32,7 +35,8 @@ pub enum Stage {
 
 impl Stage {
     /// All stages in the order in which they are recorded.
-    pub const ALL: [Stage; 5] = [Stage::Surfaces, Stage::Opaque, Stage::Peel, Stage::Glow, Stage::Compose];
+    pub const ALL: [Stage; 6] =
+        [Stage::Surfaces, Stage::Shadows, Stage::Opaque, Stage::Peel, Stage::Glow, Stage::Compose];
 }
 
 /// Draws fire into the caller's targets with the caller's device.
@@ -44,7 +48,7 @@ pub struct FireRenderer {
     compose: wgpu::Buffer,
     pub(crate) open_intervals: wgpu::Buffer,
     flames: GrowBuffer,
-    lights: GrowBuffer,
+    pub(crate) lighting: Lighting,
     pub(crate) common_group: wgpu::BindGroup,
     pub(crate) evaluator: Evaluator,
     pub(crate) flame_vertices: GrowBuffer,
@@ -63,9 +67,8 @@ pub struct FireRenderer {
     /// The caller's depth, drawn over; without it the renderer draws the scene itself.
     pub(crate) scene_depth: Option<TextureView>,
     pub(crate) targets: Option<Targets>,
-    /// Staging for the per-flame and per-light data, kept to be refilled.
+    /// Staging for the per-flame data, kept to be refilled.
     flame_data: Vec<FlameData>,
-    light_data: Vec<LightData>,
     // What the passes of the prepared frame need to know.
     pub(crate) mode: (Shading, Transparency),
     pub(crate) debug: DebugView,
@@ -95,8 +98,8 @@ impl FireRenderer {
         let open_intervals = fixed("open intervals", 4, BufferUsages::STORAGE | BufferUsages::COPY_SRC);
         let growing = |label, usage, bytes| GrowBuffer::new(device, label, usage, bytes);
         let flames = growing("flames", BufferUsages::STORAGE, (size_of::<FlameData>() * 16) as u64);
-        let lights = growing("lights", BufferUsages::STORAGE, (size_of::<LightData>() * 64) as u64);
-        let common_group = common_group(device, &pipelines, &view, &flames, &lights);
+        let lighting = Lighting::new(device, &pipelines.layouts);
+        let common_group = common_group(device, &pipelines, &view, &flames);
         let sampler = |mode| {
             device.create_sampler(&wgpu::SamplerDescriptor {
                 address_mode_u: mode,
@@ -129,7 +132,6 @@ impl FireRenderer {
             scene_depth: None,
             targets: None,
             flame_data: Vec::new(),
-            light_data: Vec::new(),
             mode: Default::default(),
             debug: DebugView::Final,
             background: [0.0; 3],
@@ -141,7 +143,7 @@ impl FireRenderer {
             compose,
             open_intervals,
             flames,
-            lights,
+            lighting,
             common_group,
         }
     }
@@ -216,7 +218,7 @@ impl FireRenderer {
     ) -> Result<(), RenderError> {
         check_size(size_px, device.limits().max_texture_dimension_2d)?;
         check_camera(camera)?;
-        check_look(look)?;
+        check_look(look, device.limits().max_texture_dimension_2d)?;
         check_depth(self.scene_depth.as_ref(), size_px)?;
         let meshes_are_new = self.mesh_revision != Some(frame.mesh_revision);
         let limits = device.limits();
@@ -237,12 +239,8 @@ impl FireRenderer {
                 FlameData::new(shade, frame.time_s, inside)
             },
         ));
-        self.light_data.clear();
-        self.light_data.extend(frame.lights.iter().map(|light| LightData::new(light, look)));
-        let flames_grew = self.flames.write(device, queue, bytemuck::cast_slice(&self.flame_data));
-        let lights_grew = self.lights.write(device, queue, bytemuck::cast_slice(&self.light_data));
-        if flames_grew || lights_grew {
-            self.common_group = common_group(device, &self.pipelines, &self.view, &self.flames, &self.lights);
+        if self.flames.write(device, queue, bytemuck::cast_slice(&self.flame_data)) {
+            self.common_group = common_group(device, &self.pipelines, &self.view, &self.flames);
         }
         let view = View::new(size_px, frame, camera, look, self.storage);
         queue.write_buffer(&self.view, 0, bytemuck::bytes_of(&view));
@@ -260,6 +258,8 @@ impl FireRenderer {
         self.lines.write(device, queue, bytemuck::cast_slice(frame.lines));
         self.line_vertex_count = frame.lines.len() as u32;
         self.upload_meshes(device, queue, frame);
+        let layout = &self.pipelines.layouts.lighting;
+        self.lighting.prepare(device, queue, layout, (frame, camera, look), clip_from_world(size_px, camera));
 
         self.mode = (look.shading, look.transparency);
         self.debug = look.debug;
@@ -292,6 +292,7 @@ impl FireRenderer {
             return;
         }
         self.mesh_revision = Some(frame.mesh_revision);
+        self.lighting.set_meshes(frame);
         let mut vertices = Vec::new();
         let mut indices = Vec::new();
         for mesh in frame.meshes {
@@ -310,7 +311,8 @@ impl FireRenderer {
         let Some(targets) = &self.targets else { return };
         match stage {
             Stage::Surfaces => self.record_surfaces(encoder),
-            Stage::Opaque if self.scene_depth.is_some() => {}
+            Stage::Shadows | Stage::Opaque if self.scene_depth.is_some() => {}
+            Stage::Shadows => self.record_shadows(encoder),
             Stage::Opaque => self.record_opaque(targets, encoder),
             Stage::Peel => self.record_flames(targets, encoder),
             Stage::Glow => self.record_glow(targets, encoder),
@@ -337,14 +339,8 @@ fn control_point(point: &[f32; 4]) -> Vec3 {
     Vec4::from(*point).truncate()
 }
 
-fn common_group(
-    device: &Device,
-    pipelines: &Pipelines,
-    view: &wgpu::Buffer,
-    flames: &GrowBuffer,
-    lights: &GrowBuffer,
-) -> wgpu::BindGroup {
-    let resources = [view, &flames.buffer, &lights.buffer].map(wgpu::Buffer::as_entire_binding);
+fn common_group(device: &Device, pipelines: &Pipelines, view: &wgpu::Buffer, flames: &GrowBuffer) -> wgpu::BindGroup {
+    let resources = [view, &flames.buffer].map(wgpu::Buffer::as_entire_binding);
     group(device, "common", &pipelines.layouts.common, &resources)
 }
 

@@ -21,9 +21,10 @@ const HEAT_K_S: f32 = 8000.0;
 ///   pressure, root forces, no heat but their buoyancy by rows and a strength raised to make up for it, 2 slices of a
 ///   wick, 8 particles a skeleton, no taper, turbulence or expansion (wider roots instead), their forms of the fuel
 ///   functions, a texture on the surfaces (`shell`, not softened), 4 layers (2 where there is a single flame), two
-///   glow levels of their seven taps with equal gains, one sample a pixel. Tips break away no more often than theirs.
+///   glow levels of their seven taps with equal gains, one sample a pixel, no shadows. Tips break away no more often
+///   than theirs.
 /// * `draft`: cheap, for machines without a fast GPU: at most 20 cells along an axis, small surfaces, 4 layers,
-///   at most 4 steps inside each interval, one sample a pixel.
+///   at most 4 steps inside each interval, one sample a pixel, 3 coarse shadows.
 /// * `fine`: for pictures: twice the cells along each axis, up to 96 (a length keeps its physical size), finer
 ///   surfaces, 16 layers, 16 steps inside each interval. Cells stay as they are where root forces reach less far than
 ///   the width of one, as a candle's do: how strong they are was set for these cells.
@@ -113,6 +114,7 @@ fn paper(scene: &mut Scene) {
     ];
     look.shell_softness = 0.0;
     look.samples = 1;
+    look.shadows = 0;
     keep_debug_view(look);
 }
 
@@ -130,6 +132,9 @@ fn draft(scene: &mut Scene) {
     scene.look.layers = scene.look.layers.min(4);
     scene.look.volume_steps = scene.look.volume_steps.min(4);
     scene.look.samples = 1;
+    scene.look.shadows = scene.look.shadows.min(3);
+    scene.look.shadow_size = scene.look.shadow_size.min(256);
+    scene.look.shadow_samples = scene.look.shadow_samples.min(8);
     keep_debug_view(&mut scene.look);
 }
 
@@ -160,6 +165,7 @@ fn fine(scene: &mut Scene) {
     scene.look.layers = scene.look.layers.max(16);
     scene.look.volume_steps = scene.look.volume_steps.max(16);
     scene.look.samples = 4;
+    scene.look.shadow_samples = scene.look.shadow_samples.max(32);
     keep_debug_view(&mut scene.look);
 }
 

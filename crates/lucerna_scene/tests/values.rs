@@ -69,6 +69,14 @@ fn camera_and_look() {
     refused(|s| s.look.ambient[2] = -0.1, "look.ambient[2] is -0.1: must be 0 to 60000");
     refused(|s| s.look.background[0] = 1.0e5, "look.background[0] is 100000: must be 0 to 60000");
     refused(|s| s.look.light_gain = 1.0e5, "look.light_gain is 100000: must be 0 to 60000");
+    refused(|s| s.look.shadows = 33, "look.shadows is 33: must be 0 to 32");
+    refused(|s| s.look.shadow_size = 8, "look.shadow_size is 8: must be 16 to 1024");
+    refused(|s| s.look.shadow_samples = 0, "look.shadow_samples is 0: must be 1 to 64");
+    refused(
+        |s| (s.look.shadows, s.look.shadow_size) = (9, 1024),
+        "look.shadow_size is 1024: must be at most 8192 / look.shadows, 910",
+    );
+    refused(|s| s.look.light_merging = 1.5, "look.light_merging is 1.5: must be 0 to 1");
     refused(|s| s.look.samples = 2, "look.samples is 2: must be 1 or 4");
     refused(|s| s.look.volume_steps = 1, "look.volume_steps is 1: must be 2 to 32");
     refused(|s| s.look.debug = DebugView::Layer(8), "look.debug layer is 8: must be below look.layers, 8");

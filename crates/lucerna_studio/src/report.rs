@@ -75,13 +75,14 @@ impl Timings {
     /// Median and 95th percentile of every stage.
     #[must_use]
     pub fn summary(&self) -> Stages {
-        let [surfaces, opaque, peel, glow, compose] = self.gpu.each_ref().map(Samples::summary);
+        let [surfaces, shadows, opaque, peel, glow, compose] = self.gpu.each_ref().map(Samples::summary);
         Stages {
             fluid: self.fluid.summary(),
             skeletons: self.skeletons.summary(),
             nurbs: self.nurbs.summary(),
             upload: self.upload.summary(),
             surfaces,
+            shadows,
             opaque,
             peel,
             glow,
@@ -104,6 +105,8 @@ pub struct Stages {
     pub upload: Milliseconds,
     /// Surfaces made on the device.
     pub surfaces: Milliseconds,
+    /// What the lights with a shadow see.
+    pub shadows: Milliseconds,
     /// The lit opaque scene.
     pub opaque: Milliseconds,
     /// The flames.
@@ -226,10 +229,22 @@ mod tests {
     fn stages_keep_their_order() {
         let mut timings = Timings::default();
         timings.push_world(&StageTimes { fluid_ms: 1.0, skeletons_ms: 2.0, nurbs_ms: 3.0 });
-        timings.push_gpu(4.0, [5.0, 6.0, 7.0, 8.0, 9.0], 45.0);
+        timings.push_gpu(4.0, [5.0, 6.0, 7.0, 8.0, 9.0, 10.0], 55.0);
         let value = serde_json::to_value(timings.summary()).unwrap();
-        let order = ["fluid", "skeletons", "nurbs", "upload", "surfaces", "opaque", "peel", "glow", "compose", "frame"];
-        for (stage, expected) in order.iter().zip([1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 45.0]) {
+        let order = [
+            "fluid",
+            "skeletons",
+            "nurbs",
+            "upload",
+            "surfaces",
+            "shadows",
+            "opaque",
+            "peel",
+            "glow",
+            "compose",
+            "frame",
+        ];
+        for (stage, expected) in order.iter().zip([1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 55.0]) {
             assert_eq!(value[stage]["median"], expected, "{stage}");
             assert_eq!(value[stage]["p95"], expected, "{stage}");
         }

@@ -2,5 +2,6 @@
 //! same every time, and lets things stand in front of it, inside it and behind it.
 
 mod fires;
+mod light;
 mod support;
 mod surroundings;

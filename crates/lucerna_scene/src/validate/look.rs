@@ -8,6 +8,9 @@ use lucerna_frame::{Blur, Camera, DebugView, GlowLevel, Look, Shading, Transpare
 /// Most glow levels.
 const MAX_GLOW: usize = 4;
 
+/// Texels that the faces of all shadow maps may have together along one edge.
+const MAX_SHADOW_TEXELS: u32 = 8192;
+
 /// Widest blur in pixels of the blurred image: the kernel reaches three times as far.
 const MAX_BLUR_PIXELS: f32 = 21.0;
 
@@ -66,6 +69,14 @@ pub(super) fn look(check: &Check<'_>, look: &Look) -> Result<(), SceneError> {
     check.within("look.exposure_stops", look.exposure_stops, -30.0..=30.0)?;
     check.within("look.white_k", look.white_k, 1000.0..=20_000.0)?;
     check.within("look.light_gain", look.light_gain, 0.0..=MAX_LIGHT)?;
+    check.within("look.shadows", look.shadows, 0..=32)?;
+    check.within("look.shadow_size", look.shadow_size, 16..=1024)?;
+    if look.shadows * look.shadow_size > MAX_SHADOW_TEXELS {
+        let allowed = format!("at most {MAX_SHADOW_TEXELS} / look.shadows, {}", MAX_SHADOW_TEXELS / look.shadows);
+        return Err(check.fail("look.shadow_size", look.shadow_size, allowed));
+    }
+    check.within("look.shadow_samples", look.shadow_samples, 1..=64)?;
+    check.within("look.light_merging", look.light_merging, 0.0..=1.0)?;
     check.each("look.ambient", &look.ambient, &(0.0..=MAX_LIGHT))?;
     check.each("look.background", &look.background, &(0.0..=MAX_LIGHT))?;
     if ![1, 4].contains(&look.samples) {

@@ -33,6 +33,20 @@ pub(super) fn show(ui: &mut Ui, document: &mut Document, view: &mut View) {
         choice(ui, &mut look.tone_map, &curves, "Tone map", tooltip);
         let tooltip = "Gain of the light that flames throw on the scene; 1 is physical.";
         slider(ui, &mut look.light_gain, 0.0..=10.0, "Firelight", "x", tooltip);
+        let tooltip = "Lights that together appear no larger than this count as one; 0 adds up every light by itself.";
+        slider(ui, &mut look.light_merging, 0.0..=0.5, "Light merging", "rad", tooltip);
+        let tooltip = "How many lights cast shadows: the strongest as seen.";
+        slider(ui, &mut look.shadows, 0..=16, "Shadows", "", tooltip);
+        let sizes = [("128", 128), ("256", 256), ("512", 512)];
+        choice(ui, &mut look.shadow_size, &sizes, "Shadow size", "Texels across a face of a shadow's map.");
+        slider(
+            ui,
+            &mut look.shadow_samples,
+            4..=64,
+            "Shadow taps",
+            "",
+            "More make the soft edges of shadows smoother.",
+        );
         color(ui, &mut look.ambient, "Ambient", "Light that falls on the scene from everywhere.");
         color(ui, &mut look.background, "Background", "Colour behind everything.");
         let samples = [("1", 1), ("4", 4)];

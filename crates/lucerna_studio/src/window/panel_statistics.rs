@@ -12,13 +12,14 @@ pub(super) fn show(ui: &mut Ui, meters: &Meters, world: &World, view: &mut View,
         let frame_ms = meters.frame.ms();
         let fps = if frame_ms > 0.0 { 1e3 / frame_ms } else { 0.0 };
         fact(ui, "Frame", &format!("{frame_ms:7.2} ms {fps:5.0} fps"), "From one frame to the next.");
-        let [surfaces, opaque, peel, glow, compose] = meters.gpu;
+        let [surfaces, shadows, opaque, peel, glow, compose] = meters.gpu;
         for (name, meter, tooltip) in [
             ("Air", meters.fluid, "Fluid steps, on the processor."),
             ("Skeletons", meters.skeletons, "Chains of particles, on the processor."),
             ("Nets", meters.nurbs, "Control nets, and NURBS surfaces unless the graphics device makes them."),
             ("Upload", meters.upload, "Vertices or control points, lights and settings to the graphics device."),
             ("Surfaces", surfaces, "NURBS surfaces made on the graphics device."),
+            ("Shadows", shadows, "The maps of the lights that cast shadows."),
             ("Opaque", opaque, "The lit scene, on the graphics device."),
             ("Flames", peel, "Peeling and shading, on the graphics device."),
             ("Glow", glow, "Blurred copies, on the graphics device."),

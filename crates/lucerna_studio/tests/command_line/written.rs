@@ -119,7 +119,8 @@ fn a_report_says_what_was_drawn_and_how_long_it_took() {
     assert_eq!((&report["steps"], &report["dropped_steps"]), (&42.into(), &0.into()));
     assert!(report["open_intervals"].is_u64(), "{report:#}");
     assert!(report["divergence_max"].as_f64().is_some_and(|d| (0.0..1e-3).contains(&d)), "{report:#}");
-    let stages = ["fluid", "skeletons", "nurbs", "upload", "surfaces", "opaque", "peel", "glow", "compose", "frame"];
+    let stages =
+        ["fluid", "skeletons", "nurbs", "upload", "surfaces", "shadows", "opaque", "peel", "glow", "compose", "frame"];
     assert_eq!(report["stages_ms"].as_object().map(serde_json::Map::len), Some(stages.len()));
     let ms = |stage: &str, which: &str| report["stages_ms"][stage][which].as_f64().expect("milliseconds");
     for stage in stages {
