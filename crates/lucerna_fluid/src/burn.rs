@@ -11,6 +11,9 @@ use crate::scratch::Scratch;
 use crate::sides::{Walls, fix_sides};
 use crate::source::Air;
 
+/// Smagorinsky's constant by which the mixing of fuel by small eddies is found where none are modelled.
+const SMAGORINSKY: f32 = 0.17;
+
 impl Fluid {
     /// What heat and mass are added to.
     pub(crate) fn air(&self) -> Air {
@@ -93,7 +96,7 @@ impl Fluid {
         if let Some(combustion) = &settings.physics.combustion
             && let (Some(fuel), Some(oxygen), Some(soot)) = (slot(FUEL), slot(OXYGEN), slot(SOOT))
         {
-            strain.measure(grid, &state.velocity);
+            strain.find_eddies(grid, &state.velocity, &settings.physics, SMAGORINSKY);
             let reaction = Reaction { fuel, oxygen, soot };
             let expands = !air.is_thinned_by_heat && combustion.expansion > 0.0;
             let burnt_kg = reactor.burn(
@@ -101,7 +104,7 @@ impl Fluid {
                 combustion,
                 reaction,
                 air,
-                &strain.values,
+                &strain.viscosity,
                 &mut state.packs,
                 &mut kelvin.data,
                 expands.then_some(expansion.as_mut_slice()),

@@ -52,6 +52,22 @@ pub(crate) fn to_kelvin(grid: &Grid, share: &mut Field, ambient_k: f32) {
     );
 }
 
+/// Fills `out` with `rho / rho_a`.
+pub(crate) fn relative(grid: &Grid, kelvin: &[f32], ambient_k: f32, out: &mut [f32]) {
+    let plane = grid.plane();
+    for_planes(
+        grid.exec,
+        out,
+        plane,
+        #[inline(always)]
+        |k, out| {
+            for (out, kelvin) in out.iter_mut().zip(&kelvin[k * plane..]) {
+                *out = ambient_k / (ambient_k + kelvin);
+            }
+        },
+    );
+}
+
 /// Adds the expansion of air whose `dT / T` grew from `before` to `after`, 1/s.
 pub(crate) fn add_growth(grid: &Grid, expansion: &mut [f32], before: &[f32], after: &[f32], dt_s: f32) {
     let (plane, per_s) = (grid.plane(), 1.0 / dt_s);

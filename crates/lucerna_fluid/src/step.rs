@@ -101,13 +101,10 @@ impl Fluid {
         let walls = Walls::of(settings, given, solids.as_deref());
         fix_sides(grid, &mut state.velocity, walls);
         let held = solids.as_deref().map_or(Held::default(), Solids::held);
-        let Scratch { next_velocity, coefficients, strain, .. } = scratch;
+        let Scratch { next_velocity, next_temperature, coefficients, strain, .. } = scratch;
         let eddies = settings.physics.has_eddies();
-        if settings.physics.deardorff > 0.0 {
-            strain.become_deardorff(grid, &state.velocity, settings.physics.deardorff);
-        } else if eddies {
-            strain.measure(grid, &state.velocity);
-            strain.become_viscosity(grid, settings.physics.smagorinsky);
+        if eddies {
+            strain.find_eddies(grid, &state.velocity, &settings.physics, 0.0);
         }
         let is_hot = settings.physics.hot_gas;
         if is_hot {
@@ -115,8 +112,12 @@ impl Fluid {
             gas::add_of_hot_gas(grid, &mut strain.viscosity, eddies, kelvin, settings.viscosity_m2_s);
         }
         let eddy_m2_s = (eddies || is_hot).then_some(strain.viscosity.as_slice());
-        let viscosity = Diffusivity { uniform_m2_s: settings.viscosity_m2_s, eddy_m2_s };
+        let mut viscosity = Diffusivity { uniform_m2_s: settings.viscosity_m2_s, eddy_m2_s, density: None };
         if viscosity.acts() {
+            if settings.physics.density == Density::LowMach {
+                density::relative(grid, &state.temperature.data, settings.ambient_k, &mut next_temperature.data);
+                viscosity.density = Some(&next_temperature.data);
+            }
             diffuse_velocity(grid, &mut state.velocity, viscosity, dt_s, walls, held, next_velocity, coefficients);
             fix_sides(grid, &mut state.velocity, walls);
         }
@@ -139,7 +140,7 @@ impl Fluid {
         }
         let varies = eddies || is_hot;
         let eddy_m2_s = varies.then_some(strain.viscosity.as_slice());
-        let conduction = Diffusivity { uniform_m2_s: settings.thermal_diffusivity_m2_s, eddy_m2_s };
+        let conduction = Diffusivity { uniform_m2_s: settings.thermal_diffusivity_m2_s, eddy_m2_s, density: None };
         if conduction.acts() {
             let is_thinned = settings.physics.density == Density::LowMach;
             let ambient_k = settings.ambient_k;

@@ -10,13 +10,15 @@ mod deardorff;
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::parallel::for_planes;
+use crate::physics::Physics;
+
 use crate::slopes::{EMPTY_ROW, is_periodic, neighbours, pad, per_m};
 
 /// Arrays for the rate of strain; empty until first used.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Strain {
     /// `|S|` by cell, 1/s.
-    pub(crate) values: Vec<f32>,
+    values: Vec<f32>,
     /// Viscosity (or diffusivity) of eddies by cell, m²/s.
     pub(crate) viscosity: Vec<f32>,
     per_m: [Vec<f32>; 3],
@@ -24,7 +26,7 @@ pub(crate) struct Strain {
 
 impl Strain {
     /// Fills the values with `|S|` of a velocity whose sides are set.
-    pub(crate) fn measure(&mut self, grid: &Grid, velocity: &[Field; 3]) {
+    fn measure(&mut self, grid: &Grid, velocity: &[Field; 3]) {
         if self.values.len() != grid.count() {
             self.values = vec![0.0; grid.count()];
             self.per_m = per_m(grid);
@@ -39,8 +41,19 @@ impl Strain {
         );
     }
 
+    /// Fills the viscosity with that of the model that is chosen; without one by Smagorinsky's with `otherwise`.
+    pub(crate) fn find_eddies(&mut self, grid: &Grid, velocity: &[Field; 3], physics: &Physics, otherwise: f32) {
+        if physics.deardorff > 0.0 {
+            self.become_deardorff(grid, velocity, physics.deardorff);
+            return;
+        }
+        self.measure(grid, velocity);
+        let constant = if physics.smagorinsky > 0.0 { physics.smagorinsky } else { otherwise };
+        self.become_viscosity(grid, constant);
+    }
+
     /// Makes the eddy viscosity out of the rate of strain.
-    pub(crate) fn become_viscosity(&mut self, grid: &Grid, smagorinsky: f32) {
+    fn become_viscosity(&mut self, grid: &Grid, smagorinsky: f32) {
         let width = smagorinsky * width_m(grid);
         let (plane, by) = (grid.plane(), width * width);
         self.viscosity.resize(grid.count(), 0.0);

@@ -26,9 +26,11 @@ use spread::{Spread, diffuse};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Diffusivity<'a> {
     pub(crate) uniform_m2_s: f32,
-    /// What eddies too small for the grid add, by cell, m²/s; at least 0. Momentum spreads as
-    /// `div(nu grad u)`, without the transposed gradient.
+    /// What eddies too small for the grid add, by cell, m²/s; at least 0.
     pub(crate) eddy_m2_s: Option<&'a [f32]>,
+    /// Density over that of ambient air, by cell, above 0; nothing where it is 1. Momentum spreads as
+    /// `div(rho nu grad u) / rho`, without the transposed gradient.
+    pub(crate) density: Option<&'a [f32]>,
 }
 
 impl Diffusivity<'_> {

@@ -2,24 +2,26 @@
 
 use std::fs;
 use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
-use lucerna_validation::{EXPERIMENTS, Effort, Entry, Experiment, Outcome, page, table};
+use lucerna_validation::{EXPERIMENTS, Effort, Entry, Experiment, Outcome, page, plots, table};
 
 use crate::cli::ValidateArgs;
 use crate::progress::Progress;
 
 /// Parts of the progress bar for each experiment.
 const PARTS: u64 = 1000;
-/// Folder of the plots, beside the page.
-const PLOTS: &str = "validation";
+/// Folder of the plots and of what is kept of each experiment, beside the page.
+const KEPT: &str = "validation";
 
-/// Runs what was asked for; `say` gets the lines for standard output.
+/// Runs what was asked for; `say` gets the lines for standard output. What an experiment found is written as soon as it
+/// ends, and the page made of all that is kept.
 pub fn run(args: &ValidateArgs, say: impl Fn(&str)) -> Result<()> {
     let effort = if args.long { Effort::Long } else { Effort::Short };
     let chosen = chosen(args, effort)?;
     if let Some(folder) = &args.out {
-        fs::create_dir_all(folder.join(PLOTS)).with_context(|| format!("cannot make {}", folder.display()))?;
+        fs::create_dir_all(folder.join(KEPT)).with_context(|| format!("cannot make {}", folder.display()))?;
     }
     let mut progress = Progress::new("experiments", PARTS * chosen.len() as u64);
     let mut outcomes: Vec<(&Experiment, Outcome)> = Vec::new();
@@ -28,17 +30,14 @@ pub fn run(args: &ValidateArgs, say: impl Fn(&str)) -> Result<()> {
             progress.set(PARTS * at as u64 + (PARTS as f64 * share) as u64);
             ControlFlow::Continue(())
         })?;
+        if let Some(folder) = &args.out {
+            keep(folder, experiment, &outcome)?;
+        }
         outcomes.push((experiment, outcome));
     }
     drop(progress);
-    let entries: Vec<Entry<'_>> = outcomes.iter().map(|(experiment, outcome)| Entry { experiment, outcome }).collect();
-    entries.iter().for_each(|entry| say(table(entry).trim_end()));
-    if let Some(folder) = &args.out {
-        let (text, plots) = page(&entries, &command(args), effort, PLOTS);
-        let files = plots.into_iter().map(|(name, text)| (folder.join(PLOTS).join(name), text));
-        for (path, text) in files.chain([(folder.join("validation.md"), text)]) {
-            fs::write(&path, text).with_context(|| format!("cannot write {}", path.display()))?;
-        }
+    for (experiment, outcome) in &outcomes {
+        say(table(&Entry { experiment, outcome }).trim_end());
     }
     let figures = || outcomes.iter().flat_map(|(_, outcome)| &outcome.figures);
     let short = figures().filter(|figure| !figure.holds()).count();
@@ -50,6 +49,31 @@ pub fn run(args: &ValidateArgs, say: impl Fn(&str)) -> Result<()> {
     Ok(())
 }
 
+/// Writes what an experiment found, and the page anew.
+fn keep(folder: &Path, experiment: &Experiment, outcome: &Outcome) -> Result<()> {
+    let write = |path: PathBuf, text: String| {
+        fs::write(&path, text).with_context(|| format!("cannot write {}", path.display()))
+    };
+    if let Some(plots) = plots(outcome) {
+        write(folder.join(KEPT).join(format!("{}.svg", experiment.name)), plots)?;
+    }
+    write(record_of(folder, experiment), outcome.record())?;
+    let mut kept = Vec::new();
+    for experiment in EXPERIMENTS {
+        let path = record_of(folder, experiment);
+        if path.exists() {
+            let text = fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
+            kept.push((experiment, Outcome::from_record(&text).with_context(|| path.display().to_string())?));
+        }
+    }
+    let entries: Vec<Entry<'_>> = kept.iter().map(|(experiment, outcome)| Entry { experiment, outcome }).collect();
+    write(folder.join("validation.md"), page(&entries, KEPT))
+}
+
+fn record_of(folder: &Path, experiment: &Experiment) -> PathBuf {
+    folder.join(KEPT).join(format!("{}.ron", experiment.name))
+}
+
 /// The experiments asked for; without names, all that have the form.
 fn chosen(args: &ValidateArgs, effort: Effort) -> Result<Vec<&'static Experiment>> {
     if args.only.is_empty() {
@@ -59,22 +83,10 @@ fn chosen(args: &ValidateArgs, effort: Effort) -> Result<Vec<&'static Experiment
     args.only.iter().map(|name| Ok(Experiment::named(name)?)).collect()
 }
 
-/// What makes the same page again.
-fn command(args: &ValidateArgs) -> String {
-    let mut line = String::from("lucerna validate");
-    if args.long {
-        line.push_str(" --long");
-    }
-    if !args.only.is_empty() {
-        line.push_str(&format!(" --only {}", args.only.join(",")));
-    }
-    line.push_str(" --out docs");
-    line
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use lucerna_validation::{Allowed, Figure};
 
     #[test]
     fn names_choose_experiments_and_wrong_ones_are_told_apart() {
@@ -90,15 +102,24 @@ mod tests {
     }
 
     #[test]
-    fn the_page_and_its_plots_are_written() {
+    fn one_experiment_is_made_again_and_the_others_are_kept() {
         let folder = std::env::temp_dir().join(format!("lucerna_validate_{}", std::process::id()));
+        let kept = Experiment::named("wind").unwrap();
+        let figure = Figure::new("tilt", "°", 27.3, f64::NAN, Allowed::Difference(10.0)).noted("it went out");
+        let outcome = Outcome { figures: vec![figure], seconds: 12.0, ..Outcome::default() };
+        fs::create_dir_all(folder.join(KEPT)).unwrap();
+        keep(&folder, kept, &outcome).unwrap();
         let args = ValidateArgs { only: vec!["rising_wave".into()], out: Some(folder.clone()), ..Default::default() };
         run(&args, |_| {}).unwrap();
         let text = fs::read_to_string(folder.join("validation.md")).unwrap();
-        assert!(
-            text.contains("--only rising_wave") && text.contains("![Light gas under air](validation/rising_wave.svg)")
-        );
+        assert!(text.contains("| tilt | none (it went out) | 27.3 ° | - | 10.0 | **short** |"), "{text}");
+        assert!(text.contains("## rising_wave") && text.contains("](validation/rising_wave.svg)"), "{text}");
+        assert!(text.find("## rising_wave") < text.find("## wind"), "{text}");
         assert!(fs::read_to_string(folder.join("validation/rising_wave.svg")).unwrap().starts_with("<svg"));
+        // A record that is spoilt is told of, not dropped.
+        fs::write(record_of(&folder, kept), "spoilt").unwrap();
+        let error = format!("{:#}", keep(&folder, Experiment::named("pools").unwrap(), &outcome).unwrap_err());
+        assert!(error.contains("wind.ron"), "{error}");
         fs::remove_dir_all(folder).unwrap();
     }
 }

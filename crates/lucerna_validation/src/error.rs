@@ -30,6 +30,9 @@ pub enum ValidationError {
         /// The experiment.
         name: &'static str,
     },
+    /// A kept outcome cannot be read.
+    #[error("no record of an experiment: {0}")]
+    Record(#[from] ron::error::SpannedError),
     /// Nothing is called that.
     #[error("no experiment is named `{name}`; there are: {known}")]
     Unknown {

@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 use std::time::Instant;
 
 use lucerna_fluid::{Fluid, FluidError, StepReport};
+use serde::{Deserialize, Serialize};
 
 use crate::catalogue::{EXPERIMENTS, names};
 use crate::chart::Chart;
@@ -11,9 +12,10 @@ use crate::error::ValidationError;
 use crate::figure::Figure;
 
 /// How much work to spend.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Effort {
     /// Coarse grids and short times: seconds.
+    #[default]
     Short,
     /// What the documentation's figures come from: up to some minutes each.
     Long,
@@ -89,18 +91,26 @@ impl Experiment {
             Halt::Other(error) => ValidationError::Other { name, error },
             Halt::Stopped => ValidationError::Stopped { name },
         })?;
-        let mut outcome = run.outcome;
-        outcome.seconds = start.elapsed().as_secs_f64();
-        Ok(outcome)
+        let settings = match effort {
+            Effort::Short => self.short.unwrap_or(self.long),
+            Effort::Long => self.long,
+        };
+        let seconds = start.elapsed().as_secs_f64();
+        Ok(Outcome { effort, settings: settings.into(), seconds, ..run.outcome })
     }
 }
 
-/// What was found.
-#[derive(Clone, Debug, Default)]
+/// What was found. Its record, which [`Outcome::record`] writes, is all of it but the plots.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Outcome {
+    /// How much work it was.
+    pub effort: Effort,
+    /// Grid and times.
+    pub settings: String,
     /// Figures beside the published ones.
     pub figures: Vec<Figure>,
     /// Plots, side by side.
+    #[serde(skip)]
     pub charts: Vec<Chart>,
     /// Cells of the largest box.
     pub cells: usize,
@@ -115,6 +125,21 @@ impl Outcome {
     #[must_use]
     pub fn holds(&self) -> bool {
         self.figures.iter().all(Figure::holds)
+    }
+
+    /// What was found, as text in RON, so that a page can be written again without burning all of it.
+    #[must_use]
+    pub fn record(&self) -> String {
+        // Numbers and texts can always be written.
+        ron::ser::to_string_pretty(self, ron::ser::PrettyConfig::default()).unwrap_or_default()
+    }
+
+    /// Reads a record.
+    ///
+    /// # Errors
+    /// Text that is no record.
+    pub fn from_record(text: &str) -> Result<Self, ValidationError> {
+        Ok(ron::from_str(text)?)
     }
 }
 

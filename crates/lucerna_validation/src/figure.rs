@@ -1,9 +1,12 @@
 //! A measured number beside the published one.
 
+use std::borrow::Cow;
 use std::fmt::Write;
 
+use serde::{Deserialize, Serialize};
+
 /// How far a figure may be off.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Allowed {
     /// Percent of the published value, either way.
     Percent(f64),
@@ -18,12 +21,12 @@ pub enum Allowed {
 }
 
 /// A measured number beside the published one.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Figure {
     /// What was measured.
     pub what: String,
     /// Unit of both values; empty for a plain number.
-    pub unit: &'static str,
+    pub unit: Cow<'static, str>,
     /// Published value.
     pub published: f64,
     /// Measured value; not a number where there was nothing to measure.
@@ -38,7 +41,7 @@ impl Figure {
     /// A figure without a note.
     #[must_use]
     pub fn new(what: impl Into<String>, unit: &'static str, published: f64, found: f64, allowed: Allowed) -> Self {
-        Self { what: what.into(), unit, published, found, allowed, note: String::new() }
+        Self { what: what.into(), unit: unit.into(), published, found, allowed, note: String::new() }
     }
 
     /// The same with a note.
@@ -50,7 +53,7 @@ impl Figure {
     /// Whether it is as close as it has to be.
     #[must_use]
     pub fn holds(&self) -> bool {
-        let Self { published, found, .. } = *self;
+        let (published, found) = (self.published, self.found);
         match self.allowed {
             Allowed::Percent(most) => (100.0 * (found / published - 1.0)).abs() <= most,
             Allowed::Difference(most) => (found - published).abs() <= most,
@@ -73,7 +76,7 @@ impl Figure {
     /// How far off it is.
     #[must_use]
     pub fn off(&self) -> String {
-        let Self { published, found, .. } = *self;
+        let (published, found) = (self.published, self.found);
         match self.allowed {
             _ if !found.is_finite() => "-".into(),
             Allowed::Percent(_) => format!("{:+.0} %", 100.0 * (found / published - 1.0)),

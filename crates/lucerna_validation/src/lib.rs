@@ -31,5 +31,5 @@ pub use chart::{Axis, Chart, Mark, Series};
 pub use error::ValidationError;
 pub use experiment::{Effort, Experiment, Halt, Origin, Outcome, Run};
 pub use figure::{Allowed, Figure};
-pub use page::{Entry, page, table};
+pub use page::{Entry, page, plots, table};
 pub use signal::{Peak, spectrum, strongest};

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use crate::air::ABOUT;
 use crate::chart::row;
 use crate::experiment::{Effort, Experiment, Outcome};
 use crate::figure::{Allowed, Figure};
@@ -35,19 +36,22 @@ pub fn table(entry: &Entry<'_>) -> String {
     out
 }
 
-/// The page that `command` makes, and the plots to be put into `folder` beside it, by file name.
+/// The page of what was found, whose plots lie in `folder` beside it: those of an experiment are in `NAME.svg`.
 #[must_use]
-pub fn page(entries: &[Entry<'_>], command: &str, effort: Effort, folder: &str) -> (String, Vec<(String, String)>) {
-    let (mut out, mut plots) = (String::new(), Vec::new());
+pub fn page(entries: &[Entry<'_>], folder: &str) -> String {
+    let mut out = String::new();
     let (steps, seconds) = entries.iter().fold((0.0, 0.0), |(steps, seconds), entry| {
         (steps + 1.0e-6 * entry.outcome.cell_steps as f64, seconds + entry.outcome.seconds)
     });
     let _ = write!(
         out,
-        "# Validation\n\nFire against measured fire. This page is made by `{command}`: \
-         {steps:.0} million cell-steps, {seconds:.0} s on the machine that made it. *Emergent*: no constant was fitted to \
-         the law or to anything like it. *Calibrated*: one was. Where a figure is farther off than allowed, it is \
-         **short**.\n\n| experiment | law | figures that hold | |\n|---|---|---|---|\n"
+        "# Validation\n\nFire against measured fire. `lucerna validate --long --out docs` makes this page: {steps:.0} million \
+         cell-steps, {:.0} minutes in all on the machine that made it. With `--only NAME` it runs that experiment again and \
+         keeps what is told of the others. *Emergent*: no constant was fitted to the law or to anything like it. \
+         *Calibrated*: one was. Where a figure is farther off than allowed, it is **short**.\n\n\
+         {ABOUT}\n\n\
+         | experiment | law | figures that hold | |\n|---|---|---|---|\n",
+        seconds / 60.0
     );
     for Entry { experiment, outcome } in entries {
         let judged = outcome.figures.iter().filter(|figure| figure.allowed != Allowed::Any);
@@ -56,23 +60,25 @@ pub fn page(entries: &[Entry<'_>], command: &str, effort: Effort, folder: &str) 
         let (name, law) = (experiment.name, experiment.law);
         let _ = writeln!(out, "| [{}](#{name}) | {law} | {held} of {count} | {short} |", experiment.title);
     }
-    for entry in entries {
-        section(&mut out, &mut plots, entry, effort, folder);
-    }
-    (out, plots)
+    entries.iter().for_each(|entry| section(&mut out, entry, folder));
+    out
 }
 
-fn section(out: &mut String, plots: &mut Vec<(String, String)>, entry: &Entry<'_>, effort: Effort, folder: &str) {
+/// The plots of an experiment as SVG; none for a record.
+#[must_use]
+pub fn plots(outcome: &Outcome) -> Option<String> {
+    (!outcome.charts.is_empty()).then(|| row(&outcome.charts))
+}
+
+fn section(out: &mut String, entry: &Entry<'_>, folder: &str) {
     let Entry { experiment, outcome } = entry;
-    let Experiment { name, title, law, source, measures, long, .. } = experiment;
-    let settings = match effort {
-        Effort::Short => experiment.short.unwrap_or(long),
-        Effort::Long => long,
-    };
+    let Experiment { name, title, law, source, measures, .. } = experiment;
+    let form = if outcome.effort == Effort::Short { "Short form: " } else { "" };
     let _ = write!(
         out,
-        "\n## {name}\n{title}: {law} ({source}). {measures} {settings}: up to {:.0} thousand cells, {:.0} million \
+        "\n## {name}\n{title}: {law} ({source}). {measures} {form}{}: up to {:.0} thousand cells, {:.0} million \
          cell-steps, {:.0} s. **{}**.\n\n| | found | published | off | allowed | |\n|---|---|---|---|---|---|\n",
+        outcome.settings,
         1.0e-3 * outcome.cells as f64,
         1.0e-6 * outcome.cell_steps as f64,
         outcome.seconds,
@@ -81,11 +87,7 @@ fn section(out: &mut String, plots: &mut Vec<(String, String)>, entry: &Entry<'_
     for figure in &outcome.figures {
         out.push_str(&line(figure));
     }
-    if !outcome.charts.is_empty() {
-        let file = format!("{name}.svg");
-        let _ = write!(out, "\n![{title}]({folder}/{file})\n");
-        plots.push((file, row(&outcome.charts)));
-    }
+    let _ = write!(out, "\n![{title}]({folder}/{name}.svg)\n");
 }
 
 fn line(figure: &Figure) -> String {

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use lucerna_validation::{EXPERIMENTS, Effort, Entry, Experiment, ValidationError, page, table};
+use lucerna_validation::{EXPERIMENTS, Effort, Entry, Experiment, Outcome, ValidationError, page, table};
 
 #[test]
 fn fire_obeys_what_its_short_form_can_tell() {
@@ -32,9 +32,12 @@ fn the_same_experiment_finds_the_same_twice_and_its_page_tells_it() {
     let (outcome, again) = (run(), run());
     assert!(outcome.holds(), "{:?}", outcome.figures);
     assert_eq!(outcome.figures, again.figures);
-    let (text, plots) = page(&[Entry { experiment, outcome: &outcome }], "lucerna validate", Effort::Short, "plots");
+    let text = page(&[Entry { experiment, outcome: &outcome }], "plots");
     for figure in &outcome.figures {
         assert!(text.contains(&format!("| {} | {} |", figure.what, figure.found())), "{text}");
     }
-    assert!(text.contains("](plots/rising_wave.svg)") && text.contains("emergent") && plots[0].0 == "rising_wave.svg");
+    assert!(text.contains("](plots/rising_wave.svg)") && text.contains("emergent"));
+    let kept = Outcome::from_record(&outcome.record()).unwrap();
+    assert_eq!(page(&[Entry { experiment, outcome: &kept }], "plots"), text);
+    assert!(Outcome::from_record("(figures: 3)").is_err());
 }

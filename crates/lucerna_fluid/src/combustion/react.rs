@@ -17,16 +17,12 @@ pub(crate) struct Reaction {
     pub(crate) soot: (usize, usize),
 }
 
-/// Smagorinsky's constant from which the speed of small eddies is estimated.
-const SMAGORINSKY: f32 = 0.17;
 /// Deardorff's: viscosity over width and speed of small eddies.
 const DEARDORFF: f32 = 0.1;
 /// Shortest time in which mixed gas burns, s; a round number far below the times of mixing (FDS takes 1e-5 or less).
 const CHEMICAL_S: f32 = 1.0e-4;
 /// Diffusivity of gas in ambient air, m²/s: about methane's (GRI-Mech 3.0: 2.15e-5; methanol 1.5e-5, propane 1.1e-5).
 const GAS_M2_S: f32 = 2.0e-5;
-/// Turbulent Schmidt number (FDS Technical Reference Guide).
-const SCHMIDT: f32 = 0.5;
 
 /// Arrays for a reaction; empty until first used.
 #[derive(Clone, Debug, Default)]
@@ -36,7 +32,7 @@ pub(crate) struct Reactor {
 }
 
 impl Reactor {
-    /// Burns for `dt_s`. `strain` is the rate of strain, 1/s. Where heat thins the air, `packs`
+    /// Burns for `dt_s`. `eddies` is the viscosity of small eddies, m²/s. Where heat thins the air, `packs`
     /// hold densities over the density of ambient air, otherwise mass fractions. Returns the fuel
     /// burnt, kg.
     #[expect(clippy::too_many_arguments, reason = "what burns, where, in what, how fast")]
@@ -46,7 +42,7 @@ impl Reactor {
         combustion: &Combustion,
         reaction: Reaction,
         air: Air,
-        strain: &[f32],
+        eddies: &[f32],
         packs: &mut [Pack],
         kelvin: &mut [f32],
         expansion: Option<&mut [f32]>,
@@ -70,7 +66,7 @@ impl Reactor {
                     let there = if fuel < oxygen { fuel } else { oxygen };
                     let warm = kelvin[cell];
                     *out = if there > 0.0 && warm >= combustion.ignition_k {
-                        let rate = mixing.rate(strain[cell], warm, air.ambient_k);
+                        let rate = mixing.rate(eddies[cell], warm, air.ambient_k);
                         let burns = there * -(-rate * dt_s).exp_m1();
                         burns.min(room(warm, combustion.flame_k, air) / warms).max(0.0)
                     } else {
@@ -185,17 +181,15 @@ impl Mixing {
         Self { width_m, factor, buoyant: (0.5 * GRAVITY_M_S2 / width_m).sqrt() }
     }
 
-    /// 1/s, from the rate of strain.
+    /// 1/s, from the viscosity of small eddies.
     #[inline(always)]
-    fn rate(&self, strain: f32, kelvin: f32, ambient_k: f32) -> f32 {
+    fn rate(&self, eddy_m2_s: f32, kelvin: f32, ambient_k: f32) -> f32 {
         let area = self.width_m * self.width_m;
-        let eddy_m2_s = SMAGORINSKY * SMAGORINSKY * area * strain;
         let hot = 1.0 + kelvin / ambient_k;
         // Gases spread as the temperature to the power of 1.75; 2 is near enough and cheap.
-        let diffusion = (eddy_m2_s / SCHMIDT + GAS_M2_S * hot * hot) / area;
+        let diffusion = GAS_M2_S * hot * hot / area;
         // u' = sqrt(2/3 k), sqrt(k) = viscosity / (C w); time 0.4 w / u'.
-        let speed = 0.816_497 * eddy_m2_s / (DEARDORFF * self.width_m);
-        let eddies = speed / (0.4 * self.width_m);
+        let eddies = 0.816_497 * eddy_m2_s / (0.4 * DEARDORFF * area);
         let fastest = self.factor * diffusion.max(eddies).max(self.buoyant);
         fastest.min(1.0 / CHEMICAL_S)
     }

@@ -13,6 +13,7 @@ use crate::sides::Side;
 pub(crate) struct Coefficients {
     in_cells: Vec<f32>,
     at_values: Vec<f32>,
+    light: Vec<f32>,
     /// Of a diffusivity that does not vary: along x, y and z.
     lines: Option<Box<[Line; 3]>>,
 }
@@ -30,7 +31,7 @@ impl Coefficients {
         ends: [[End; 2]; 3],
         held: &'a [f32],
     ) -> Kind<'a> {
-        let is_even = diffusivity.eddy_m2_s.is_none() && held.is_empty();
+        let is_even = diffusivity.eddy_m2_s.is_none() && diffusivity.density.is_none() && held.is_empty();
         if is_even {
             let line = |along: usize| {
                 Line::new(counts[along], diffusion_number(grid, along, diffusivity.uniform_m2_s, dt_s), ends[along])
@@ -56,38 +57,50 @@ impl Coefficients {
             None => self.in_cells.resize(grid.count(), spread(0.0)),
         }
         self.at_values.clear();
+        self.light.clear();
+        if let Some(density) = diffusivity.density {
+            self.in_cells.iter_mut().zip(density).for_each(|(number, density)| *number *= density);
+        }
         let in_cells = &self.in_cells;
         if let Some(axis) = component {
-            let [nx, ny, nz] = grid.face_counts(axis);
-            let cells = grid.cells;
-            let last = cells[axis];
-            let is_periodic = grid.sides[axis][0] == Side::Periodic;
-            // The cells below and above a face; beyond a side the one inside stands for it.
-            let beside = |at: usize| match at {
-                0 if is_periodic => [last - 1, 0],
-                at if at == last && is_periodic => [last - 1, 0],
-                at => [at.saturating_sub(1), at.min(last - 1)],
-            };
-            let row = |j: usize, k: usize| &in_cells[cells[0] * (j + cells[1] * k)..][..cells[0]];
-            for k in 0..nz {
-                for j in 0..ny {
-                    if axis == 0 {
-                        let row = row(j, k);
-                        self.at_values.extend((0..nx).map(|i| {
-                            let [low, high] = beside(i);
-                            0.5 * (row[low] + row[high])
-                        }));
-                    } else {
-                        let [low, high] = beside([0, j, k][axis]);
-                        let (low, high) =
-                            if axis == 1 { (row(low, k), row(high, k)) } else { (row(j, low), row(j, high)) };
-                        self.at_values.extend(low.iter().zip(high).map(|(low, high)| 0.5 * (low + high)));
-                    }
-                }
+            to_faces(grid, axis, in_cells, &mut self.at_values);
+            if let Some(density) = diffusivity.density {
+                to_faces(grid, axis, density, &mut self.light);
+                self.light.iter_mut().for_each(|density| *density = 1.0 / *density);
             }
         }
         let at_values = if component.is_some() { &self.at_values } else { &self.in_cells };
-        Kind::Varying(Varying { at_values, in_cells: &self.in_cells, held })
+        Kind::Varying(Varying { at_values, in_cells: &self.in_cells, held, light: &self.light })
+    }
+}
+
+/// Appends the means of the cells below and above each face across an axis; beyond a side the cell inside stands for the
+/// one that is not there.
+fn to_faces(grid: &Grid, axis: usize, in_cells: &[f32], out: &mut Vec<f32>) {
+    let [nx, ny, nz] = grid.face_counts(axis);
+    let cells = grid.cells;
+    let last = cells[axis];
+    let is_periodic = grid.sides[axis][0] == Side::Periodic;
+    let beside = |at: usize| match at {
+        0 if is_periodic => [last - 1, 0],
+        at if at == last && is_periodic => [last - 1, 0],
+        at => [at.saturating_sub(1), at.min(last - 1)],
+    };
+    let row = |j: usize, k: usize| &in_cells[cells[0] * (j + cells[1] * k)..][..cells[0]];
+    for k in 0..nz {
+        for j in 0..ny {
+            if axis == 0 {
+                let row = row(j, k);
+                out.extend((0..nx).map(|i| {
+                    let [low, high] = beside(i);
+                    0.5 * (row[low] + row[high])
+                }));
+            } else {
+                let [low, high] = beside([0, j, k][axis]);
+                let (low, high) = if axis == 1 { (row(low, k), row(high, k)) } else { (row(j, low), row(j, high)) };
+                out.extend(low.iter().zip(high).map(|(low, high)| 0.5 * (low + high)));
+            }
+        }
     }
 }
 

@@ -75,12 +75,12 @@ fn what_was_solved_gives_back_what_was_there() {
         let before = velocity.clone();
         let mut spare = velocity.clone();
         let (held, mut room) = (Held::default(), Coefficients::default());
-        let viscosity = Diffusivity { uniform_m2_s: 0.25, eddy_m2_s: None };
+        let viscosity = Diffusivity { uniform_m2_s: 0.25, eddy_m2_s: None, density: None };
         diffuse_velocity(&grid, &mut velocity, viscosity, 3.0, walls, held, &mut spare, &mut room);
         fix_sides(&grid, &mut velocity, walls);
         // A diffusivity that might vary, but does not, gives the same.
         let (mut varying, eddies) = (before.clone(), vec![0.15; grid.count()]);
-        let viscosity = Diffusivity { uniform_m2_s: 0.1, eddy_m2_s: Some(&eddies) };
+        let viscosity = Diffusivity { uniform_m2_s: 0.1, eddy_m2_s: Some(&eddies), density: None };
         diffuse_velocity(&grid, &mut varying, viscosity, 3.0, walls, held, &mut spare, &mut room);
         fix_sides(&grid, &mut varying, walls);
         for (one, other) in velocity.iter().zip(&varying) {
@@ -116,7 +116,7 @@ fn eddies_and_solid_cells_spread_a_scalar_as_their_equations_say() {
         field.data.iter_mut().enumerate().for_each(|(at, value)| *value = 10.0 * noise(at, 0.9));
         let (before, mut spare, mut room) = (field.clone(), field.clone(), Coefficients::default());
         let held = Held { cells: &solid, ..Held::default() };
-        let diffusivity = Diffusivity { uniform_m2_s: 0.5, eddy_m2_s: Some(&eddies) };
+        let diffusivity = Diffusivity { uniform_m2_s: 0.5, eddy_m2_s: Some(&eddies), density: None };
         diffuse_scalar(&grid, &mut field, diffusivity, 2.0, [[None; 2]; 3], held, &mut spare, &mut room);
         let mut values: Vec<f64> = field.data.iter().map(|value| f64::from(*value)).collect();
         let strides = [1, cells[0], cells[0] * cells[1]];
@@ -145,4 +145,39 @@ fn eddies_and_solid_cells_spread_a_scalar_as_their_equations_say() {
             assert!((value - f64::from(*before)).abs() < 1.0e-3, "{cells:?} {at}: {value} against {before}");
         }
     }
+}
+
+#[test]
+fn viscosity_takes_no_momentum_from_gas_of_any_density() {
+    use Side::{FreeSlip, Periodic};
+    let cells = [19, 7, 9];
+    let grid = Grid::new(cells, Vec3::ZERO, Vec3::ONE, [[Periodic; 2], [FreeSlip; 2], [Periodic; 2]]);
+    let noise = |at: usize, scale: f32| (((at * 7) as f32 * scale).sin() * 43_758.547).fract().abs();
+    let eddies: Vec<f32> = (0..grid.count()).map(|at| 0.02 * noise(at, 1.3)).collect();
+    let density: Vec<f32> = (0..grid.count()).map(|at| 0.15 + 0.85 * noise(at, 2.7)).collect();
+    let given = GivenSides::default();
+    let walls = Walls { wind: [0.0; 3], frame: [0.0; 3], given: &given, solids: None };
+    let mut velocity = [0, 1, 2].map(|axis| Field::on_faces(&grid, axis));
+    for field in &mut velocity {
+        field.data.iter_mut().enumerate().for_each(|(at, value)| *value = noise(at, 0.9) - 0.2);
+    }
+    fix_sides(&grid, &mut velocity, walls);
+    // Along x, the last face of which is the first; a face holds half of each cell beside it.
+    let momentum = |field: &Field| {
+        let faces = field.data.iter().enumerate().filter(|(at, _)| at % 20 < 19);
+        let sum = faces.map(|(at, speed)| {
+            let (i, row) = (at % 20, 19 * (at / 20));
+            0.5 * f64::from(density[row + i] + density[row + (i + 18) % 19]) * f64::from(*speed)
+        });
+        sum.sum::<f64>()
+    };
+    let energy = |field: &Field| field.data.iter().map(|speed| f64::from(speed * speed)).sum::<f64>();
+    let (before, still) = (momentum(&velocity[0]), energy(&velocity[0]));
+    let viscosity = Diffusivity { uniform_m2_s: 0.01, eddy_m2_s: Some(&eddies), density: Some(&density) };
+    let mut spare = velocity.clone();
+    let (held, mut room) = (Held::default(), Coefficients::default());
+    diffuse_velocity(&grid, &mut velocity, viscosity, 0.3, walls, held, &mut spare, &mut room);
+    let off = momentum(&velocity[0]) / before - 1.0;
+    println!("momentum of gas 0.15 to 1 times as dense as air: off by {off:.1e}");
+    assert!(off.abs() < 1.0e-6 && energy(&velocity[0]) < 0.8 * still, "{off}");
 }

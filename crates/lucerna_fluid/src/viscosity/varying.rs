@@ -22,6 +22,8 @@ pub(crate) struct Varying<'a> {
     /// between free values its neighbours across the direction of flow feel it; negative if
     /// not at all. Empty where nothing is held.
     pub(crate) held: &'a [f32],
+    /// What each value moves by for what its neighbours do to it: one over its mass. Empty where all are alike.
+    pub(crate) light: &'a [f32],
 }
 
 /// Where the values of a bundle of lines lie.
@@ -65,7 +67,12 @@ fn load(values: &[f32], at: Bundle, lines: &Range<usize>, node: usize) -> Lanes 
     {
         return *lanes;
     }
-    std::array::from_fn(|lane| values[first + at.across * lane.min(lines.len() - 1)])
+    // A loop: what arrays are mapped by is not compiled for the vectors at hand.
+    let mut lanes = [0.0; LANES];
+    for (lane, value) in lanes.iter_mut().enumerate() {
+        *value = values[first + at.across * lane.min(lines.len() - 1)];
+    }
+    lanes
 }
 
 impl Varying<'_> {
@@ -90,8 +97,8 @@ impl Varying<'_> {
             let is_cyclic = axis.ends[0] == End::Cyclic;
             let from = job.from.unwrap_or(out);
             let ends = self.prepare(axis, job, from, &lines, &mut values[..count], &mut links[..=count]);
-            let free = |node: usize| self.free(job, &lines, node);
-            let last_weight = eliminate(axis, &ends, free, &mut values[..count], links, back, circle);
+            let light = |node: usize| self.light(job, &lines, node);
+            let last_weight = eliminate(axis, &ends, light, &mut values[..count], links, back, circle);
             for node in (0..count - 1).rev() {
                 let (low, high) = values.split_at_mut(node + 1);
                 for lane in 0..LANES {
@@ -115,13 +122,17 @@ impl Varying<'_> {
         }
     }
 
-    /// One where a value is free, zero where it is held.
+    /// What a value moves by: zero where it is held.
     #[inline(always)]
-    fn free(self, job: &Job<'_>, lines: &Range<usize>, node: usize) -> Lanes {
-        if self.held.is_empty() {
-            return [1.0; LANES];
+    fn light(self, job: &Job<'_>, lines: &Range<usize>, node: usize) -> Lanes {
+        let mut light = if self.light.is_empty() { [1.0; LANES] } else { load(self.light, job.field_at, lines, node) };
+        if !self.held.is_empty() {
+            let held = load(self.held, job.field_at, lines, node);
+            for lane in 0..LANES {
+                light[lane] = if held[lane] == 0.0 { light[lane] } else { 0.0 };
+            }
         }
-        load(self.held, job.field_at, lines, node).map(|held| if held == 0.0 { 1.0 } else { 0.0 })
+        light
     }
 
     /// Reads the values, and finds how strongly neighbours are linked: link `n` lies below value `n`.
@@ -138,13 +149,18 @@ impl Varying<'_> {
         let count = axis.count;
         let r = axis.per_square_m;
         let number = |node: usize| load(self.at_values, job.field_at, lines, node);
-        let between = |low: usize, high: usize| {
-            let mut link = if axis.is_own {
-                load(self.in_cells, job.cells_at, lines, low).map(|number| r * number)
+        let between = |(low, low_number): (usize, &Lanes), (high, high_number): (usize, &Lanes)| {
+            let mut link = [0.0; LANES];
+            if axis.is_own {
+                let cells = load(self.in_cells, job.cells_at, lines, low);
+                for lane in 0..LANES {
+                    link[lane] = r * cells[lane];
+                }
             } else {
-                let (low, high) = (number(low), number(high));
-                std::array::from_fn(|lane| 0.5 * r * (low[lane] + high[lane]))
-            };
+                for lane in 0..LANES {
+                    link[lane] = 0.5 * r * (low_number[lane] + high_number[lane]);
+                }
+            }
             if !self.held.is_empty() {
                 let low = load(self.held, job.field_at, lines, low);
                 let high = load(self.held, job.field_at, lines, high);
@@ -161,8 +177,12 @@ impl Varying<'_> {
         for (node, value) in values.iter_mut().enumerate() {
             *value = load(from, job.from_at, lines, node);
         }
+        let first = if axis.is_own { [0.0; LANES] } else { number(0) };
+        let mut below = first;
         for (node, link) in links[..count].iter_mut().enumerate().skip(1) {
-            *link = between(node - 1, node);
+            let here = if axis.is_own { below } else { number(node) };
+            *link = between((node - 1, &below), (node, &here));
+            below = here;
         }
         let zero = [[0.0; LANES]; 2];
         let mut ends = Ends { held: zero, beside: zero, wrap: zero };
@@ -170,26 +190,28 @@ impl Varying<'_> {
         for (end, node) in [0, count - 1].into_iter().enumerate() {
             if axis.ends[end] == End::Held {
                 let number = number(node);
-                let free = self.free(job, lines, node);
+                let light = self.light(job, lines, node);
                 let wall: Lanes = match job.walls[end] {
                     Wall::Same(value) => [value; LANES],
                     Wall::Each(values) => std::array::from_fn(|lane| values[lines.start + lane.min(lines.len() - 1)]),
                 };
-                let beside_is_free = if count > 1 { self.free(job, lines, [1, count - 2][end]) } else { free };
+                let beside_is_free = if count > 1 { self.light(job, lines, [1, count - 2][end]) } else { light };
                 for lane in 0..LANES {
                     // Between a side and a solid there is only the straight line.
                     let [held, beside] = if beside_is_free[lane] > 0.0 { [held, beside] } else { [2.0, 0.0] };
-                    ends.beside[end][lane] = beside * r * number[lane] * free[lane];
-                    ends.held[end][lane] = held * r * number[lane] * free[lane];
+                    ends.beside[end][lane] = beside * r * number[lane] * light[lane];
+                    ends.held[end][lane] = held * r * number[lane] * light[lane];
                     values[node][lane] += ends.held[end][lane] * wall[lane];
                 }
             }
         }
         if axis.ends[0] == End::Cyclic {
-            let link = between(count - 1, 0);
+            let link = between((count - 1, &below), (0, &first));
             for (wrap, node) in ends.wrap.iter_mut().zip([0, count - 1]) {
-                let free = self.free(job, lines, node);
-                *wrap = std::array::from_fn(|lane| link[lane] * free[lane]);
+                let light = self.light(job, lines, node);
+                for lane in 0..LANES {
+                    wrap[lane] = link[lane] * light[lane];
+                }
             }
         }
         (links[0], links[count]) = ([0.0; LANES], [0.0; LANES]);
@@ -213,7 +235,7 @@ struct Ends {
 fn eliminate(
     axis: Axis,
     ends: &Ends,
-    free: impl Fn(usize) -> Lanes,
+    light: impl Fn(usize) -> Lanes,
     values: &mut [Lanes],
     links: &[Lanes],
     back: &mut [Lanes],
@@ -225,9 +247,12 @@ fn eliminate(
     let mut rest = [1.0_f32; LANES];
     let mut first_diagonal = [1.0_f32; LANES];
     for node in 0..count {
-        let free = free(node);
-        let mut lower: Lanes = std::array::from_fn(|lane| links[node][lane] * free[lane]);
-        let mut upper: Lanes = std::array::from_fn(|lane| links[node + 1][lane] * free[lane]);
+        let light = light(node);
+        let (mut lower, mut upper) = ([0.0; LANES], [0.0; LANES]);
+        for lane in 0..LANES {
+            lower[lane] = links[node][lane] * light[lane];
+            upper[lane] = links[node + 1][lane] * light[lane];
+        }
         let mut own = [1.0_f32; LANES];
         for (end, is_end) in [node == 0, node + 1 == count].into_iter().enumerate() {
             if is_end {

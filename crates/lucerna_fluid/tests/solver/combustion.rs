@@ -193,7 +193,7 @@ fn what_makes_no_sense_is_refused() {
 }
 
 /// A square burner of propane, open but for its floor.
-fn burner(density: Density, kw: f32, side_m: f32, cell_m: f32) -> Fluid {
+fn burner(density: Density, kw: f32, side_m: f32, cell_m: f32, mixing: f32) -> Fluid {
     let cells = [24, 48, 24];
     let size = cell_m * Vec3::new(24.0, 48.0, 24.0);
     let mut fluid = Fluid::builder(cells)
@@ -201,7 +201,7 @@ fn burner(density: Density, kw: f32, side_m: f32, cell_m: f32) -> Fluid {
         .sides(Sides { y: [Side::FreeSlip, Side::Open], ..Sides::OPEN })
         .density(density)
         .smagorinsky(0.05)
-        .combustion(Combustion::new(Fuel::PROPANE))
+        .combustion(Combustion { mixing, ..Combustion::new(Fuel::PROPANE) })
         .build()
         .unwrap();
     // A little off the middle: nothing else would break the mirror symmetry.
@@ -249,7 +249,8 @@ fn leaving_kw(fluid: &Fluid, density: Density) -> f64 {
 #[test]
 fn heat_put_in_is_heat_found_and_heat_that_left() {
     for density in [Density::Boussinesq, Density::LowMach] {
-        let mut fluid = burner(density, 30.0, 0.3, 0.05);
+        // Fast enough for all fuel to burn before it gets to a side.
+        let mut fluid = burner(density, 30.0, 0.3, 0.05, 3.0);
         let (dt_s, steps) = (0.0125_f32, 160);
         let (mut released, mut radiated, mut left, mut seen, mut burnt) = (0.0, 0.0, 0.0, 0.0, 0.0);
         let mut fuel_kg = 0.0;
@@ -277,39 +278,20 @@ fn heat_put_in_is_heat_found_and_heat_that_left() {
     }
 }
 
-/// The frequency from 1.25 to 8 Hz at which the values swing most, under a raised cosine. Slower
-/// swings are the wandering of a young plume.
-fn strongest_hz(values: &[f32], dt_s: f32) -> f32 {
-    let mean = values.iter().sum::<f32>() / values.len() as f32;
-    let power = |hz: f32| {
-        let (mut along, mut across) = (0.0, 0.0);
-        for (at, value) in values.iter().enumerate() {
-            let window = 1.0 - (2.0 * PI * at as f32 / values.len() as f32).cos();
-            let (sin, cos) = (2.0 * PI * hz * dt_s * at as f32).sin_cos();
-            along += window * (value - mean) * cos;
-            across += window * (value - mean) * sin;
-        }
-        along * along + across * across
-    };
-    (25..160).map(|at| 0.05 * at as f32).max_by(|a, b| power(*a).total_cmp(&power(*b))).unwrap()
-}
-
-/// Laws that nature itself keeps to within 14 and 22 % (puffing and height), on a grid of six
-/// cells across the burner, which is called coarse: the bounds are wide, but far from anything.
+/// Laws on a grid of six cells across the burner, which is called coarse: the bounds are wide, but
+/// far from anything. Puffing needs a finer one: see `lucerna validate`.
 #[test]
 fn a_burner_obeys_the_laws_of_fire() {
     let (kw, cell_m, dt_s) = (30.0_f32, 0.05_f32, 0.0125_f32);
-    let mut fluid = burner(Density::LowMach, kw, 0.3, cell_m);
+    let mut fluid = burner(Density::LowMach, kw, 0.3, cell_m, 1.0);
     let middle = 0.5 * fluid.size_m() * Vec3::new(1.0, 0.0, 1.0);
     let mut kelvin = [0.0_f32; 48];
-    let mut speeds = Vec::new();
     for step in 0..560 {
         fluid.step(dt_s).unwrap();
         if step >= 200 {
             for (j, kelvin) in kelvin.iter_mut().enumerate() {
                 *kelvin += fluid.temperature(middle + (j as f32 + 0.5) * cell_m * Vec3::Y) / 360.0;
             }
-            speeds.push(fluid.velocity(middle + 0.225 * Vec3::Y).y);
         }
     }
     // The burner is square: of the same area as a round one of this width.
@@ -323,11 +305,9 @@ fn a_burner_obeys_the_laws_of_fire() {
         (x, y, xx, xy) = (x + a / 20.0, y + b / 20.0, xx + a * a / 20.0, xy + a * b / 20.0);
     }
     let exponent = (xy - x * y) / (xx - x * x);
-    let (hz, law_hz) = (strongest_hz(&speeds, dt_s), 1.5 / width.sqrt());
     println!(
-        "30 kW on 0.3 m: flame {height_m:.2} m (Heskestad {law_m:.2}), plume cools as z^{exponent:.2} (law -1.67), swings at {hz:.2} Hz (law {law_hz:.2})"
+        "30 kW on 0.3 m: flame {height_m:.2} m (Heskestad {law_m:.2}), plume cools as z^{exponent:.2} (law -1.67)"
     );
     assert!((height_m / law_m - 1.0).abs() < 0.5, "{height_m} against {law_m}");
     assert!((exponent + 5.0 / 3.0).abs() < 0.4, "{exponent}");
-    assert!(hz > 0.6 * law_hz && hz < 1.6 * law_hz, "{hz} against {law_hz}");
 }

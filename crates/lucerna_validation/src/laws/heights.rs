@@ -1,13 +1,14 @@
 //! How high pool fires burn, and how that grows with their heat.
 
+use lucerna_fluid::{AIR_GAS_CONSTANT_J_KG_K, AIR_HEAT_CAPACITY_J_KG_K, AIR_PRESSURE_PA, GRAVITY_M_S2};
+
 use crate::chart::{Axis, Chart, Mark, Series};
 use crate::experiment::{Experiment, Halt, Origin, Run};
 use crate::figure::{Allowed, Figure};
 use crate::fire::{Burner, Gas, METHANE, METHANOL, PROPANE, Plan};
 use crate::flame_height::{FlameHeight, Heights};
-use crate::laws::puffing::frequency;
+use crate::laws::puffing::{Probe, frequency};
 use crate::signal::{Peak, exponent, strongest};
-use lucerna_fluid::Vec3;
 
 pub(crate) const POOLS: Experiment = Experiment {
     name: "pools",
@@ -18,11 +19,11 @@ pub(crate) const POOLS: Experiment = Experiment {
              time",
     origin: Origin::Calibrated,
     measures: "Height below which 99 % of the heat is released on average; beside it the height with burning gas half of \
-               the time, and where the axis is 500 K above ambient. Puffing: speed on the axis half a diameter up. \
-               Radiated shares are the measured ones. Small eddies mix at the rate of FDS, which was set to Heskestad's \
-               heights there; puffing has no such constant.",
-    short: Some("6 cells across, 2 to 5 s, methanol only"),
-    long: "8 cells across, box of 3 x 5 x 3 diameters, 2.5 to 10 s",
+               the time, and where the axis is 500 K above ambient. Puffing: mean upward speed within 0.4 D of the axis, \
+               half a diameter up. Radiated shares are the measured ones. Small eddies mix at the rate of FDS, which was \
+               set to Heskestad's heights there; puffing has no such constant.",
+    short: Some("6 cells across, 1.5 to 3 s, the height of methanol only"),
+    long: "12 cells across, box of 3 x 5 x 3 diameters, 2 to 8 s",
     burn: pools,
 };
 
@@ -34,9 +35,9 @@ pub(crate) const HEIGHT_BY_HEAT: Experiment = Experiment {
              L = 0.235 Q^0.4 - 1.02 D",
     origin: Origin::Calibrated,
     measures: "Height below which 99 % of the heat is released on average. Small eddies mix at the rate of FDS, which was \
-               set to these heights there.",
+               set to these heights there. Cells are an eighth of the fire's own length (Q / (rho c_p T sqrt(g)))^0.4.",
     short: None,
-    long: "6 cells across, box of 3.5 x 6 x 3.5 diameters, 2 to 6 s each",
+    long: "cells of 2.5, 4.0 and 6.3 cm, boxes 1 to 1.4 m wide and 1.0 to 3.2 m high, 2 to 8 s each",
     burn: by_heat,
 };
 
@@ -53,11 +54,11 @@ pub(crate) fn watch(run: &mut Run<'_>, plan: &Plan, dt_s: f32, times_s: [f32; 2]
     let (foot, diameter) = (fire.feet[0], plan.burner.diameter_m());
     let mut watched = FlameHeight::new(&fire.air, fire.fuel, fire.kg_s, plan.gas.fuel.heat_kj_kg, foot);
     let [start, end] = times_s.map(|time| (time / dt_s) as usize);
-    let probe = foot + 0.5 * diameter * Vec3::Y;
+    let probe = Probe::new(foot, diameter, plan.cell_m);
     let mut speeds = Vec::new();
     run.steps(&mut fire.air, dt_s, end, |step, air, _| {
         if step >= start {
-            speeds.push(f64::from(air.velocity(probe).y));
+            speeds.push(probe.speed_m_s(air));
             if step % 4 == 0 {
                 watched.look(air);
             }
@@ -83,7 +84,7 @@ fn pools(run: &mut Run<'_>) -> Result<(), Halt> {
         Pool { name: "methanol", gas: METHANOL, diameter: 0.301, heat_kw: 19.2, height_m: 0.41, hz: 2.7 },
         Pool { name: "propane", gas: PROPANE.radiating(0.28), diameter: 0.37, heat_kw: 34.4, height_m: 0.75, hz: 2.4 },
     ];
-    let (across, times_s) = run.choose((6, [2.0, 5.0]), (8, [2.5, 10.0]));
+    let (across, times_s) = run.choose((6, [1.5, 3.0]), (12, [2.0, 8.0]));
     let count = run.choose(1, pools.len());
     let mut lines = Vec::new();
     for (at, pool) in pools.iter().take(count).enumerate() {
@@ -94,7 +95,9 @@ fn pools(run: &mut Run<'_>) -> Result<(), Halt> {
         let plan = Plan::new(gas, heat_kw, Burner::Round { diameter }, cell_m, cells);
         let Seen { heights, peak, watched } = watch(run, &plan, 0.2 * cell_m, times_s)?;
         figures(run, &format!("{name}, {heat_kw} kW on {diameter} m"), &heights, height_m);
-        run.figure(frequency(format!("{name}: puffing"), hz, &peak));
+        if count > 1 {
+            run.figure(frequency(format!("{name}: puffing"), hz, &peak));
+        }
         lines.push(Series { name: name.into(), mark: Mark::Line, points: watched.axis_kelvin() });
     }
     run.chart(Chart {
@@ -117,18 +120,27 @@ fn figures(run: &mut Run<'_>, what: &str, heights: &Heights, published_m: f64) {
     }
 }
 
+/// A fire's own length `(Q / (rho c_p T sqrt(g)))^0.4`, m.
+fn own_length_m(heat_kw: f32) -> f32 {
+    let air = AIR_PRESSURE_PA / AIR_GAS_CONSTANT_J_KG_K * AIR_HEAT_CAPACITY_J_KG_K * GRAVITY_M_S2.sqrt();
+    (1.0e3 * heat_kw / air).powf(0.4)
+}
+
 fn by_heat(run: &mut Run<'_>) -> Result<(), Halt> {
     const DIAMETER: f32 = 0.4;
-    const ACROSS: usize = 6;
+    /// Cells across the fire's own length: 6 are said to be coarse, 12 fair (FDS Validation Guide).
+    const ACROSS: f32 = 8.0;
     let mut found = Vec::new();
     let heats = [20.0_f32, 63.0, 200.0];
     for (at, heat_kw) in heats.into_iter().enumerate() {
         run.part(at, heats.len());
-        let cell_m = DIAMETER / ACROSS as f32;
-        let burner = Burner::Round { diameter: DIAMETER };
-        let plan = Plan::new(METHANE, heat_kw, burner, cell_m, [21, 6 * ACROSS, 21]);
-        let heights = watch(run, &plan, 0.15 * cell_m, [2.0, 6.0])?.heights;
         let law = 0.235 * f64::from(heat_kw).powf(0.4) - 1.02 * f64::from(DIAMETER);
+        let own_m = own_length_m(heat_kw);
+        let cell_m = own_m / ACROSS;
+        let box_m = [0.8 + 1.2 * own_m, 0.4 + 1.8 * law as f32, 0.8 + 1.2 * own_m];
+        let burner = Burner::Round { diameter: DIAMETER };
+        let plan = Plan::new(METHANE, heat_kw, burner, cell_m, box_m.map(|edge| (edge / cell_m) as usize));
+        let heights = watch(run, &plan, 0.15 * cell_m, [2.0, 8.0])?.heights;
         let figure =
             Figure::new(format!("height of {heat_kw} kW"), "m", law, heights.released_99_m, Allowed::Percent(25.0));
         let note =

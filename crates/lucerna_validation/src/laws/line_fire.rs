@@ -19,7 +19,7 @@ pub(crate) const LINE_FIRE: Experiment = Experiment {
                Drawn beside it: L = 0.034 Q'^(2/3), narrow slits of gas (L. Yuan, G. Cox, An Experimental Study of Some Line \
                Fires, Fire Safety Journal 27, 1996).",
     short: None,
-    long: "cells of 2.5 cm, box of 0.8 x 1.2 x 0.3 m, 2 to 6 s each",
+    long: "cells of 2 cm, box of 0.8 x 1.2 x 0.3 m, 1.5 to 5 s each",
     burn,
 };
 
@@ -31,15 +31,15 @@ fn height_m(kw_m: f64) -> f64 {
 }
 
 fn burn(run: &mut Run<'_>) -> Result<(), Halt> {
-    const CELL_M: f32 = 0.025;
-    const CELLS: [usize; 3] = [32, 48, 12];
+    const CELL_M: f32 = 0.02;
+    const CELLS: [usize; 3] = [40, 60, 15];
     let length = CELL_M * CELLS[2] as f32;
     let mut found = Vec::new();
     let heats = [25.0_f32, 70.0, 200.0];
     for (at, kw_m) in heats.into_iter().enumerate() {
         run.part(at, heats.len());
         let plan = Plan::new(PROPANE, kw_m * length, Burner::Line { width: WIDTH_M as f32 }, CELL_M, CELLS);
-        let heights = watch(run, &plan, 0.005, [2.0, 6.0])?.heights;
+        let heights = watch(run, &plan, 0.004, [1.5, 5.0])?.heights;
         let law = height_m(f64::from(kw_m));
         let figure =
             Figure::new(format!("height of {kw_m} kW/m"), "m", law, heights.released_99_m, Allowed::Percent(25.0));

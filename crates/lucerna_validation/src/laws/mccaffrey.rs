@@ -17,18 +17,18 @@ pub(crate) const MCCAFFREY: Experiment = Experiment {
     measures: "Means on the axis; the middle is z / Q^0.4 from 0.08 to 0.2, the plume from 0.2 to 0.5. The radiated share \
                is his, 0.17 (Western States Section of the Combustion Institute, paper 81-15, 1981).",
     short: None,
-    long: "cells of 5 cm, box of 1.2 x 2.1 x 1.2 m, 5 to 18 s",
+    long: "cells of 2.5 cm, box of 1.2 x 2.1 x 1.2 m, 4 to 16 s",
     burn,
 };
 
 const HEAT_KW: f32 = 14.4;
-const TIMES_S: [f32; 2] = [5.0, 18.0];
+const TIMES_S: [f32; 2] = [4.0, 16.0];
 /// Where the law's parts lie: height over `Q^0.4`, m/kW^0.4.
 const MIDDLE: [f64; 2] = [0.08, 0.2];
 const PLUME: [f64; 2] = [0.2, 0.5];
 
 fn burn(run: &mut Run<'_>) -> Result<(), Halt> {
-    let (cell_m, dt_s) = (0.05, 0.01);
+    let (cell_m, dt_s) = (0.025, 0.005);
     let cells = [1.2_f32, 2.1, 1.2].map(|edge| (edge / cell_m).round() as usize);
     let plan = Plan::new(METHANE.radiating(0.17), HEAT_KW, Burner::Square { edge: 0.3 }, cell_m, cells);
     let mut fire = plan.light()?;

@@ -18,7 +18,7 @@ pub(crate) const RADIATION: Experiment = Experiment {
     measures: "Each height radiates the measured share, 0.24, of the heat that is released there, evenly all around. The \
                share is theirs; where it comes from is found.",
     short: None,
-    long: "8 cells across, box of 3 x 5 x 3 diameters, 2.5 to 10 s",
+    long: "12 cells across, box of 3 x 5 x 3 diameters, 2 to 6 s",
     burn,
 };
 
@@ -42,9 +42,9 @@ const GAUGE_M: f64 = 0.6;
 fn burn(run: &mut Run<'_>) -> Result<(), Halt> {
     const DIAMETER: f32 = 0.301;
     const HEAT_KW: f32 = 19.2;
-    let cell_m = DIAMETER / 8.0;
-    let plan = Plan::new(METHANOL, HEAT_KW, Burner::Round { diameter: DIAMETER }, cell_m, [24, 40, 24]);
-    let rows = watch(run, &plan, 0.2 * cell_m, [2.5, 10.0])?.watched.release_by_row();
+    let cell_m = DIAMETER / 12.0;
+    let plan = Plan::new(METHANOL, HEAT_KW, Burner::Round { diameter: DIAMETER }, cell_m, [36, 60, 36]);
+    let rows = watch(run, &plan, 0.2 * cell_m, [2.0, 6.0])?.watched.release_by_row();
     let radiated_kw = f64::from(HEAT_KW * METHANOL.fuel.radiated);
     // A gauge faces the axis.
     let flux = |distance: f64, height: f64| {
