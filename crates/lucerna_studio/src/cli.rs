@@ -65,13 +65,14 @@ pub enum Command {
 /// Which laws, how thoroughly, and where to.
 #[derive(Args, Clone, Debug, Default)]
 pub struct ValidateArgs {
-    /// Fine grids and long times: half an hour on two cores. Without it, a minute of what can be said by then.
+    /// Fine grids and long times: about an hour of one core. Without it, seconds, and what can be said by then.
     #[arg(long)]
     pub long: bool,
     /// Only these experiments, separated by commas.
     #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
     pub only: Vec<String>,
-    /// Write validation.md, and its plots into validation/, in this folder.
+    /// Write validation.md, and plots and what was found into validation/, in this folder. Experiments that are not run
+    /// keep what was found last time.
     #[arg(long, value_name = "FOLDER")]
     pub out: Option<PathBuf>,
     /// Fail where a figure falls short of its law.

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use lucerna_validation::{EXPERIMENTS, Effort, Entry, Experiment, Outcome, ValidationError, page, table};
+use lucerna_validation::{Allowed, EXPERIMENTS, Effort, Entry, Experiment, Outcome, ValidationError, page, table};
 
 #[test]
 fn fire_obeys_what_its_short_form_can_tell() {
@@ -10,6 +10,10 @@ fn fire_obeys_what_its_short_form_can_tell() {
         let outcome = experiment.run(Effort::Short, &mut |_| ControlFlow::Continue(())).unwrap();
         print!("{}", table(&Entry { experiment, outcome: &outcome }));
         assert!(outcome.cells > 0 && outcome.cell_steps > 0 && !outcome.figures.is_empty(), "{}", experiment.name);
+        // Grids are too coarse for the laws themselves: no figure may be far from them.
+        for figure in outcome.figures.iter().filter(|figure| figure.allowed != Allowed::Any) {
+            assert!((figure.found / figure.published - 1.0).abs() < 0.4, "{}: {figure:?}", experiment.name);
+        }
     }
 }
 

@@ -20,7 +20,7 @@ pub(crate) const LIGHT_PLUME: Experiment = Experiment {
     origin: Origin::Emergent,
     measures: "Mean upward speed within 0.4 m of the axis, half a metre up; gas 0.185 times as dense as air (heat in place of helium).",
     short: None,
-    long: "16 cells across the plate, box of 3 x 3 x 3 m, 4 to 18 s",
+    long: "20 cells across the plate, box of 3 x 3 x 3 m, 4 to 18 s",
     burn: light_plume,
 };
 
@@ -41,7 +41,7 @@ pub(crate) const PUFFING: Experiment = Experiment {
 const STEP_S: f32 = 0.0112;
 const TIMES_S: [f32; 2] = [4.0, 18.0];
 /// Swings of less than this share of the mean are noise.
-pub(crate) const PUFFS: f64 = 0.05;
+pub(crate) const PUFFS: f64 = 0.02;
 /// How far from the axis the speed is averaged, in diameters.
 const REACH: f32 = 0.4;
 
@@ -117,7 +117,7 @@ fn charts(run: &mut Run<'_>, what: &str, speeds: &[f64], dt_s: f64, band_hz: [f6
 fn light_plume(run: &mut Run<'_>) -> Result<(), Halt> {
     const LIGHTER: f32 = 0.815;
     const SPEED_M_S: f32 = 0.325;
-    const ACROSS: usize = 16;
+    const ACROSS: usize = 20;
     let cell_m = 1.0 / ACROSS as f32;
     let mut air = open_air([3 * ACROSS; 3], cell_m).build()?;
     let foot = cell_m * Vec3::new(0.5, 0.0, -0.27);
