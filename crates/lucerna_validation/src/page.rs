@@ -40,18 +40,15 @@ pub fn table(entry: &Entry<'_>) -> String {
 #[must_use]
 pub fn page(entries: &[Entry<'_>], folder: &str) -> String {
     let mut out = String::new();
-    let (steps, seconds) = entries.iter().fold((0.0, 0.0), |(steps, seconds), entry| {
-        (steps + 1.0e-6 * entry.outcome.cell_steps as f64, seconds + entry.outcome.seconds)
-    });
+    let steps: f64 = entries.iter().map(|entry| 1.0e-6 * entry.outcome.cell_steps as f64).sum();
     let _ = write!(
         out,
         "# Validation\n\nFire against measured fire. `lucerna validate --long --out docs` makes this page: {steps:.0} million \
-         cell-steps, {:.0} minutes in all on the machine that made it. With `--only NAME` it runs that experiment again and \
+         cell-steps. Times are those of the machine that made it, busy or not. With `--only NAME` it runs that experiment again and \
          keeps what is told of the others. *Emergent*: no constant was fitted to the law or to anything like it. \
          *Calibrated*: one was. Where a figure is farther off than allowed, it is **short**.\n\n\
          {ABOUT}\n\n\
-         | experiment | law | figures that hold | |\n|---|---|---|---|\n",
-        seconds / 60.0
+         | experiment | law | figures that hold | |\n|---|---|---|---|\n"
     );
     for Entry { experiment, outcome } in entries {
         let judged = outcome.figures.iter().filter(|figure| figure.allowed != Allowed::Any);
