@@ -32,7 +32,7 @@ fn list_of(world: vec3f) -> vec2u {
 }
 
 struct Surface {
-    @builtin(position) clip: vec4f,
+    @builtin(position) @invariant clip: vec4f,
     @location(0) world: vec3f,
     @location(1) normal: vec3f,
     @location(2) color: vec3f,
@@ -135,8 +135,8 @@ fn fs_opaque(in: Surface, @builtin(front_facing) is_front: bool) -> @location(0)
     return vec4f(clamp(diffuse + specular + in.emission, vec3f(0.0), vec3f(BRIGHTEST)), 1.0);
 }
 
-// The depth alone, for the passes that follow.
+// The depth alone, for the passes that follow: bit for bit that of the surfaces above.
 @vertex
-fn vs_depth(@location(0) position: vec3f) -> @builtin(position) vec4f {
+fn vs_depth(@location(0) position: vec3f) -> @builtin(position) @invariant vec4f {
     return view.clip_from_world * vec4f(position, 1.0);
 }

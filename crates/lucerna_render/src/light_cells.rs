@@ -7,7 +7,7 @@ use lucerna_frame::OpaqueMesh;
 /// Most cells.
 const MAX_CELLS: u32 = 4096;
 /// So few lights are added up one by one everywhere.
-const FEW_LIGHTS: usize = 16;
+pub(crate) const FEW_LIGHTS: usize = 16;
 /// Most entries of all lists: cells beyond it are lit by all lights one by one.
 const MAX_ENTRIES: usize = 1 << 21;
 /// Where the grid's origin lies in a cell: floors and walls stand at round numbers, and not between two cells.

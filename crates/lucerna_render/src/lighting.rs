@@ -2,7 +2,7 @@
 
 use crate::data::{LightData, LightingData};
 use crate::layouts::Layouts;
-use crate::light_cells::LightCells;
+use crate::light_cells::{FEW_LIGHTS, LightCells};
 use crate::light_tree::{LightTree, Node};
 use crate::shadows::Shadows;
 use crate::targets::group;
@@ -44,6 +44,11 @@ impl Lighting {
     pub(crate) fn set_meshes(&mut self, frame: &Frame<'_>) {
         self.cells.lay(frame.meshes);
         self.shadows.set_meshes(frame.meshes);
+    }
+
+    /// True if a pixel is so dear that what is hidden is better found out first.
+    pub(crate) fn is_dear(&self) -> bool {
+        self.shadows.count() > 0 || self.tree.light_count() > FEW_LIGHTS
     }
 
     /// Merges and uploads the lights of a frame.

@@ -10,6 +10,13 @@ impl FireRenderer {
             Some((color, depth)) => (color, depth, Some(&targets.opaque)),
             None => (&targets.opaque, &targets.scene_depth, None),
         };
+        let is_multisampled = usize::from(resolve.is_some());
+        // Where light is dear, only what is seen is lit.
+        let depth_is_known = self.lighting.is_dear();
+        if depth_is_known {
+            self.record_depth(encoder, depth, &self.pipelines.depth[is_multisampled]);
+        }
+        let depth_load = if depth_is_known { wgpu::LoadOp::Load } else { wgpu::LoadOp::Clear(1.0) };
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("opaque"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
@@ -21,23 +28,34 @@ impl FireRenderer {
                     store: if resolve.is_some() { wgpu::StoreOp::Discard } else { wgpu::StoreOp::Store },
                 },
             })],
-            depth_stencil_attachment: Some(cleared(depth)),
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: depth,
+                depth_ops: Some(wgpu::Operations { load: depth_load, store: wgpu::StoreOp::Store }),
+                stencil_ops: None,
+            }),
             ..Default::default()
         });
-        self.draw_meshes(
-            &mut pass,
-            &self.pipelines.opaque[usize::from(resolve.is_some())][usize::from(self.lighting.shadows.count() > 0)],
-        );
+        let shadows = usize::from(self.lighting.shadows.count() > 0);
+        self.draw_meshes(&mut pass, &self.pipelines.opaque[is_multisampled][shadows]);
         drop(pass);
         if targets.multisampled.is_some() {
             // Several depths a pixel cannot be compared with one: the flames get a depth of their own.
-            let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-                label: Some("scene depth"),
-                depth_stencil_attachment: Some(cleared(&targets.scene_depth)),
-                ..Default::default()
-            });
-            self.draw_meshes(&mut pass, &self.pipelines.depth);
+            self.record_depth(encoder, &targets.scene_depth, &self.pipelines.depth[0]);
         }
+    }
+
+    fn record_depth(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        depth: &wgpu::TextureView,
+        pipeline: &wgpu::RenderPipeline,
+    ) {
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("scene depth"),
+            depth_stencil_attachment: Some(cleared(depth)),
+            ..Default::default()
+        });
+        self.draw_meshes(&mut pass, pipeline);
     }
 
     fn draw_meshes(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {

@@ -33,7 +33,8 @@ pub(crate) struct Pipelines {
     pub(crate) opaque: [[RenderPipeline; 2]; 2],
     /// What a light sees.
     pub(crate) shadow: RenderPipeline,
-    pub(crate) depth: RenderPipeline,
+    /// The depth of the opaque scene with one and with four samples.
+    pub(crate) depth: [RenderPipeline; 2],
     pub(crate) peel_first: RenderPipeline,
     pub(crate) peel_next: RenderPipeline,
     pub(crate) count: RenderPipeline,
@@ -198,7 +199,8 @@ impl Pipelines {
                     groups: &[common, Some(&layouts.lighting)],
                     vertex: ("vs_opaque", Some(meshes())),
                     fragment: Some(("fs_opaque", HDR.into())),
-                    depth: Some(CompareFunction::Less),
+                    // What is seen may be known already.
+                    depth: Some(CompareFunction::LessEqual),
                     topology: PrimitiveTopology::TriangleList,
                     samples,
                     compilation: wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() },
@@ -218,7 +220,9 @@ impl Pipelines {
             compilation: wgpu::PipelineCompilationOptions::default(),
         }
         .make(device);
-        let depth = triangles(device, "depth", &source, &[common], ("vs_depth", Some(meshes())), None, true, 1);
+        let depth = [1, 4].map(|samples| {
+            triangles(device, "depth", &source, &[common], ("vs_depth", Some(meshes())), None, true, samples)
+        });
 
         let source = module("peel", wgsl::PEEL);
         let surface = |label, entry, target: ColorTargetState, depth| {
