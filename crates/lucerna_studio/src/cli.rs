@@ -54,7 +54,7 @@ pub enum Command {
         #[command(flatten)]
         export: ExportArgs,
     },
-    /// Holds the fire to the measured laws of fire. Needs no graphics device.
+    /// Holds the fire to the measured laws of fire. Only the experiment `brightness` needs a graphics device.
     Validate {
         /// What is validated.
         #[command(flatten)]

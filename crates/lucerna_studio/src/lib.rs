@@ -14,6 +14,7 @@
 //! goes [`cli`] -> [`scenes`] -> [`window`]; flames for other programs go [`cli`] -> [`scenes`] -> [`export`];
 //! the laws of fire [`cli`] -> [`validate`]. Errors become one line and exit code 2 in [`program`].
 
+pub mod brightness;
 pub mod cli;
 pub mod export;
 pub mod gpu;

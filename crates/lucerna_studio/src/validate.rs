@@ -5,8 +5,9 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
-use lucerna_validation::{EXPERIMENTS, Effort, Entry, Experiment, Outcome, page, plots, table};
+use lucerna_validation::{EXPERIMENTS, Effort, Entry, Experiment, Outcome, ValidationError, page, plots, table};
 
+use crate::brightness::BRIGHTNESS;
 use crate::cli::ValidateArgs;
 use crate::progress::Progress;
 
@@ -59,7 +60,7 @@ fn keep(folder: &Path, experiment: &Experiment, outcome: &Outcome) -> Result<()>
     }
     write(record_of(folder, experiment), outcome.record())?;
     let mut kept = Vec::new();
-    for experiment in EXPERIMENTS {
+    for experiment in experiments() {
         let path = record_of(folder, experiment);
         if path.exists() {
             let text = fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
@@ -78,9 +79,20 @@ fn record_of(folder: &Path, experiment: &Experiment) -> PathBuf {
 fn chosen(args: &ValidateArgs, effort: Effort) -> Result<Vec<&'static Experiment>> {
     if args.only.is_empty() {
         let has_form = |experiment: &&Experiment| effort == Effort::Long || experiment.short.is_some();
-        return Ok(EXPERIMENTS.iter().filter(has_form).collect());
+        return Ok(experiments().filter(has_form).collect());
     }
-    args.only.iter().map(|name| Ok(Experiment::named(name)?)).collect()
+    let named = |name: &String| {
+        let known = || experiments().map(|experiment| experiment.name).collect::<Vec<_>>().join(", ");
+        let found = experiments().find(|experiment| experiment.name == name);
+        Ok(found.ok_or_else(|| ValidationError::Unknown { name: name.clone(), known: known() })?)
+    };
+    args.only.iter().map(named).collect()
+}
+
+/// Those on air alone, and the one on pictures.
+fn experiments() -> impl Iterator<Item = &'static Experiment> {
+    static OF_PICTURES: [Experiment; 1] = [BRIGHTNESS];
+    EXPERIMENTS.iter().chain(&OF_PICTURES)
 }
 
 #[cfg(test)]
