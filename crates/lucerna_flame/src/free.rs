@@ -86,12 +86,12 @@ impl Free {
         self.lengths.len()
     }
 
-    /// Lights it; the caller fills the returned chains: the spine, then the four rows in its frame, clockwise
-    /// seen from its tip.
-    pub(crate) fn light(&mut self, life_s: f32, side: Vec3) -> &mut [Vec3] {
+    /// Lights it, whole at once where its parent is cut `at_once`; the caller fills the returned chains: the spine, then
+    /// the four rows in its frame, clockwise seen from its tip.
+    pub(crate) fn light(&mut self, life_s: f32, side: Vec3, at_once: bool) -> &mut [Vec3] {
         self.side = side;
         self.burning = true;
-        self.age_s = 0.0;
+        self.age_s = if at_once { BREAK_S } else { 0.0 };
         self.life_s = life_s;
         &mut self.points
     }
@@ -122,7 +122,7 @@ impl Free {
         }
     }
 
-    /// How much of it is left, 1 to 0; it is born over `birth_s`, while its parent draws back.
+    /// How much of it is left, 1 to 0; it is born over [`BREAK_S`], while its parent draws back.
     pub(crate) fn strength(&self) -> f32 {
         let left = (1.0 - self.age_s / self.life_s).clamp(0.0, 1.0);
         (self.age_s / BREAK_S).clamp(0.0, 1.0) * left

@@ -159,18 +159,18 @@ impl Flame {
                 && *now >= 0.5 * (low + high)
                 && self.fire.lit
             {
-                parted = parted.or(Some((lead, low / *now)));
+                parted = parted.or(Some((lead, (low / *now).min(0.9), *now)));
             }
             // Gas rises no faster than it ages, however much of it there is.
             *now += (tip - *now).min(dt_s).max(-*now * (1.0 - (-dt_s / FOLLOWS_S).exp()));
         }
-        if let Some((lead, cut)) = parted
+        if let Some((lead, cut, tip_s)) = parted
             && self.free.iter().any(|free| !free.burning)
         {
             self.build_net();
-            self.cut_off(lead, cut.min(0.9), DIES_S);
+            self.cut_off(lead, cut, DIES_S);
             if let Some(hot) = &mut self.hot {
-                hot.tips_s[lead] *= cut;
+                hot.tips_s[lead] = cut * tip_s;
             }
         }
         self.trace_spines();

@@ -68,7 +68,7 @@ impl Flame {
         let bottom = spine.length_at(0.5 * (chain(sides[0], cut) + chain(sides[1], cut)));
         let width = self.settings.skeletons.width_m;
         let side = self.roots.peripherals[sides[0]].outward;
-        let (middle, rows) = free.light(life_s, side).split_at_mut(n);
+        let (middle, rows) = free.light(life_s, side, self.hot.is_some()).split_at_mut(n);
         for (k, point) in middle.iter_mut().enumerate() {
             *point = spine.at(bottom + (spine.total() - bottom) * k as f32 / (n - 1) as f32);
         }
