@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::limits::MAX_EXPANSION_PER_S;
-use crate::parallel::{Partial, for_planes, scan_planes};
+use crate::parallel::{Partial, for_pairs, for_planes, scan_planes};
 use crate::sides::Side;
 use crate::source::{kelvin_from_share, share_from_kelvin};
 
@@ -54,17 +54,13 @@ pub(crate) fn to_kelvin(grid: &Grid, share: &mut Field, ambient_k: f32) {
 
 /// Fills `out` with `rho / rho_a`.
 pub(crate) fn relative(grid: &Grid, kelvin: &[f32], ambient_k: f32, out: &mut [f32]) {
-    let plane = grid.plane();
-    for_planes(
+    for_pairs(
         grid.exec,
         out,
-        plane,
+        kelvin,
+        grid.plane(),
         #[inline(always)]
-        |k, out| {
-            for (out, kelvin) in out.iter_mut().zip(&kelvin[k * plane..]) {
-                *out = ambient_k / (ambient_k + kelvin);
-            }
-        },
+        |out, kelvin| *out = ambient_k / (ambient_k + kelvin),
     );
 }
 

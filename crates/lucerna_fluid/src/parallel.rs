@@ -76,6 +76,27 @@ pub(crate) fn for_planes<T: Send>(
     }
 }
 
+/// Calls `work` with each value and that of `from` in the same place, planes of `plane` values at a time.
+pub(crate) fn for_pairs<T: Send, U: Sync>(
+    exec: Execution,
+    data: &mut [T],
+    from: &[U],
+    plane: usize,
+    work: impl Fn(&mut T, &U) + Sync + Send,
+) {
+    for_planes(
+        exec,
+        data,
+        plane,
+        #[inline(always)]
+        |k, out| {
+            for (out, from) in out.iter_mut().zip(&from[k * plane..]) {
+                work(out, from);
+            }
+        },
+    );
+}
+
 /// As [`for_planes`]; each plane also fills its partial result. Returns their combination.
 pub(crate) fn reduce_planes<T: Send>(
     exec: Execution,

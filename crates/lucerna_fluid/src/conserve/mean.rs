@@ -2,7 +2,7 @@
 
 use super::padded::Shape;
 use crate::grid::Grid;
-use crate::parallel::for_planes;
+use crate::parallel::{for_pairs, for_planes};
 
 /// Makes a velocity component the mean of `start` and itself, weighted by the densities that go
 /// with them; `shares`, padded, are `1 - rho / rho_a` at the start and at the end.
@@ -39,33 +39,27 @@ pub(super) fn mean_by_mass(
 
 /// Makes values the mean of `start` and themselves.
 pub(super) fn mean(grid: &Grid, start: &[f32], out: &mut [f32]) {
-    let plane = grid.plane();
-    for_planes(
+    for_pairs(
         grid.exec,
         out,
-        plane,
+        start,
+        grid.plane(),
         #[inline(always)]
-        |k, out| {
-            for (out, start) in out.iter_mut().zip(&start[k * plane..]) {
-                *out = 0.5 * (*out + start);
-            }
-        },
+        |out, start| *out = 0.5 * (*out + start),
     );
 }
 
 /// As [`mean`], for four scalars a cell.
 pub(super) fn mean_of_packs(grid: &Grid, start: &[[f32; 4]], out: &mut [[f32; 4]]) {
-    let plane = grid.plane();
-    for_planes(
+    for_pairs(
         grid.exec,
         out,
-        plane,
+        start,
+        grid.plane(),
         #[inline(always)]
-        |k, out| {
-            for (out, start) in out.iter_mut().zip(&start[k * plane..]) {
-                for at in 0..4 {
-                    out[at] = 0.5 * (out[at] + start[at]);
-                }
+        |out, start| {
+            for at in 0..4 {
+                out[at] = 0.5 * (out[at] + start[at]);
             }
         },
     );
