@@ -68,6 +68,9 @@ pub struct Chart {
     pub series: Vec<Series>,
 }
 
+/// Points of a series.
+type Points = Vec<(f64, f64)>;
+
 /// An axis that knows what it has to show.
 struct Scale {
     low: f64,
@@ -128,6 +131,13 @@ fn escape(text: &str) -> String {
 }
 
 impl Chart {
+    /// A law, and what was found beside it, on logarithmic axes.
+    pub(crate) fn of_law(title: &str, [x, y]: [&str; 2], (name, law): (&str, Points), found: Points) -> Self {
+        let law = Series { name: name.into(), mark: Mark::Dashes, points: law };
+        let found = Series { name: "found".into(), mark: Mark::Points, points: found };
+        Self { title: title.into(), x: Axis::log(x), y: Axis::log(y), series: vec![law, found] }
+    }
+
     /// The plot as a fragment of SVG, moved right by `shift`.
     fn draw(&self, out: &mut String, shift: f64) -> std::fmt::Result {
         let [left, top, right, bottom] = FRAME;

@@ -155,14 +155,6 @@ fn by_heat(run: &mut Run<'_>) -> Result<(), Halt> {
     }
     run.figure(Figure::new("exponent of L + 1.02 D by heat", "", 0.4, exponent(&found), Allowed::Difference(0.05)));
     let law = [15.0, 250.0].map(|q: f64| (q, 0.235 * q.powf(0.4))).to_vec();
-    run.chart(Chart {
-        title: "Height of methane on 0.4 m".into(),
-        x: Axis::log("kW"),
-        y: Axis::log("L + 1.02 D, m"),
-        series: vec![
-            Series { name: "Heskestad".into(), mark: Mark::Dashes, points: law },
-            Series { name: "found".into(), mark: Mark::Points, points: found },
-        ],
-    });
+    run.chart(Chart::of_law("Height of methane on 0.4 m", ["kW", "L + 1.02 D, m"], ("Heskestad", law), found));
     Ok(())
 }

@@ -163,14 +163,6 @@ fn burners(run: &mut Run<'_>) -> Result<(), Halt> {
     let slope = if found.len() == sizes.len() { exponent(&found) } else { f64::NAN };
     run.figure(Figure::new("exponent of the frequency by diameter", "", -0.5, slope, Allowed::Difference(0.05)));
     let law = [0.08, 1.0].map(|d: f64| (d, 1.5 / d.sqrt())).to_vec();
-    run.chart(Chart {
-        title: "Puffing".into(),
-        x: Axis::log("diameter, m"),
-        y: Axis::log("Hz"),
-        series: vec![
-            Series { name: "1.5 / sqrt(D)".into(), mark: Mark::Dashes, points: law },
-            Series { name: "found".into(), mark: Mark::Points, points: found },
-        ],
-    });
+    run.chart(Chart::of_law("Puffing", ["diameter, m", "Hz"], ("1.5 / sqrt(D)", law), found));
     Ok(())
 }
