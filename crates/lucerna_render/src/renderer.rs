@@ -220,7 +220,7 @@ impl FireRenderer {
         check_camera(camera)?;
         check_look(look, device.limits().max_texture_dimension_2d)?;
         check_depth(self.scene_depth.as_ref(), size_px)?;
-        let meshes_are_new = self.mesh_revision != Some(frame.mesh_revision);
+        let meshes_are_new = self.scene_depth.is_none() && self.mesh_revision != Some(frame.mesh_revision);
         let limits = device.limits();
         check_frame(frame, meshes_are_new, &limits)?;
         let new_grids = self.evaluator.check(frame, &limits)?;
@@ -257,9 +257,12 @@ impl FireRenderer {
         };
         self.lines.write(device, queue, bytemuck::cast_slice(frame.lines));
         self.line_vertex_count = frame.lines.len() as u32;
-        self.upload_meshes(device, queue, frame);
-        let layout = &self.pipelines.layouts.lighting;
-        self.lighting.prepare(device, queue, layout, (frame, camera, look), clip_from_world(size_px, camera));
+        // Over a caller's picture nothing is lit.
+        if self.scene_depth.is_none() {
+            self.upload_meshes(device, queue, frame);
+            let layout = &self.pipelines.layouts.lighting;
+            self.lighting.prepare(device, queue, layout, (frame, camera, look), clip_from_world(size_px, camera));
+        }
 
         self.mode = (look.shading, look.transparency);
         self.debug = look.debug;
